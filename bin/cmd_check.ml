@@ -1,0 +1,37 @@
+open Cmdliner
+open Raylab_scene
+open Raylab_language
+
+let check path =
+  match Scene_file.load path with
+  | Ok scene ->
+      List.iter
+        (Printf.eprintf "%s: warning: %s\n%!" (Source.printable path))
+        (Scene.warnings scene);
+      true
+  | Error errors ->
+      List.iter Command.print_error errors;
+      false
+
+let check_all paths () =
+  (* every scene is read, also after one in error *)
+  let right = List.map check paths in
+  if not (List.for_all Fun.id right) then
+    raise (Command.Ended Exit_code.scene_error)
+
+let scenes =
+  let doc = "The scene files, or $(b,-) for standard input." in
+  Arg.(non_empty & pos_all string [] & info [] ~docv:"SCENE" ~doc)
+
+let cmd =
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Reads each $(i,SCENE) and prints every error and warning to standard \
+         error. Renders nothing. Warnings do not change the exit status.";
+    ]
+  in
+  Cmd.v
+    (Command.info "check" ~doc:"report the errors and warnings of scenes" man)
+    (Command.run Term.(const check_all $ scenes))

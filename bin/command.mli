@@ -1,0 +1,36 @@
+(** What the sub-commands share: arguments, and how they end. *)
+
+(** {1 Ends} *)
+
+exception Ended of int
+(** [Ended code] ends the program with the exit code [code]. What there is to
+    say has been said. *)
+
+val usage_error : ('a, unit, string, 'b) format4 -> 'a
+(** [usage_error "..." ...] says on standard error what is wrong with the
+    command line, and ends the program. *)
+
+val write_error : string -> 'a
+(** [write_error message] says on standard error that a picture could not be
+    written, and ends the program. *)
+
+(** {1 Scenes} *)
+
+val scene_arg : string Cmdliner.Term.t
+(** [scene_arg] is the positional argument SCENE. *)
+
+val load_scene : string -> Raylab_scene.Scene.t
+(** [load_scene path] is the scene at [path], or it prints what is wrong with it
+    on standard error and ends the program. *)
+
+val print_error : Raylab_language.Scene_error.t -> unit
+(** [print_error error] prints [error] on standard error. *)
+
+(** {1 Running} *)
+
+val run : (unit -> unit) Cmdliner.Term.t -> int Cmdliner.Term.t
+(** [run action] is the term whose value is the exit code of its action. *)
+
+val info :
+  string -> doc:string -> Cmdliner.Manpage.block list -> Cmdliner.Cmd.info
+(** [info name ~doc man] is what the manual says about sub-command [name]. *)

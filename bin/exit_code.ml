@@ -1,0 +1,18 @@
+let ok = 0
+let scene_error = 1
+let not_written = 2
+let usage = Cmdliner.Cmd.Exit.cli_error
+let interrupted = 130
+let terminated = 143
+
+let infos =
+  let info code doc = Cmdliner.Cmd.Exit.info code ~doc in
+  [
+    info ok "on success.";
+    info scene_error "if the scene is in error or cannot be read.";
+    info not_written "if the picture could not be written.";
+    info usage "if the command line is wrong.";
+    info interrupted "if interrupted by Ctrl-C; nothing is written then.";
+    info terminated "if ended by a signal; nothing is written then.";
+    info Cmdliner.Cmd.Exit.internal_error "on an error of raylab itself.";
+  ]

@@ -1,0 +1,22 @@
+(** The exit codes of raylab. *)
+
+val ok : int
+(** 0 *)
+
+val scene_error : int
+(** 1: the scene is in error *)
+
+val not_written : int
+(** 2: the picture could not be written *)
+
+val usage : int
+(** 124: the command line is wrong *)
+
+val interrupted : int
+(** 130: interrupted by Ctrl-C *)
+
+val terminated : int
+(** 143: ended by a signal to terminate *)
+
+val infos : Cmdliner.Cmd.Exit.info list
+(** [infos] is the section EXIT STATUS of the manual pages. *)

@@ -1,0 +1,1 @@
+(* The program raylab; see its manual pages. *)

@@ -1,0 +1,20 @@
+(** Planes. *)
+
+type t = private { point : Vec3.t; normal : Direction.t }
+(** The type for planes: a point, all of whose coordinates are finite, and a
+    normal. *)
+
+val make : point:Vec3.t -> normal:Direction.t -> t
+(** [make ~point ~normal] is the plane through [point] perpendicular to
+    [normal].
+
+    @raise Invalid_argument if a coordinate of [point] is not finite. *)
+
+val intersections : t -> Ray.t -> float list
+(** [intersections plane ray] is all [t], negative ones included, for which
+    [Ray.at ray t] lies on [plane]: one, or none if the ray is parallel to the
+    plane, inside it or not. The ray's reach is not looked at. *)
+
+val nearest : t -> Ray.t -> float
+(** [nearest plane ray] is the one of {!intersections} if it is greater than 0,
+    and [infinity] otherwise. *)

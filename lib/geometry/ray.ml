@@ -1,0 +1,41 @@
+type t = {
+  ox : float;
+  oy : float;
+  oz : float;
+  dx : float;
+  dy : float;
+  dz : float;
+  reach : float;
+}
+
+let[@inline] flat (o : Vec3.t) (d : Direction.t) reach =
+  let d = (d :> Vec3.t) in
+  { ox = o.x; oy = o.y; oz = o.z; dx = d.x; dy = d.y; dz = d.z; reach }
+
+let make ~origin ~direction = flat origin direction infinity
+
+let towards ~origin ~target ~short =
+  let way = Vec3.sub target origin in
+  let with_direction direction =
+    flat origin direction (Vec3.length way -. short)
+  in
+  Option.map with_direction (Direction.of_vec3 way)
+
+let origin ray = Vec3.make ray.ox ray.oy ray.oz
+
+(* The only way in is [flat], so the length is still 1. *)
+let direction ray = Direction.of_vec3_exn (Vec3.make ray.dx ray.dy ray.dz)
+
+let[@inline] at ray t =
+  Vec3.make
+    (ray.ox +. (t *. ray.dx))
+    (ray.oy +. (t *. ray.dy))
+    (ray.oz +. (t *. ray.dz))
+
+let reflect ray ~at ~normal =
+  make ~origin:at ~direction:(Direction.reflect (direction ray) ~normal)
+
+let pp ppf ray =
+  Format.fprintf ppf "%a + t %a" Vec3.pp (origin ray) Direction.pp
+    (direction ray);
+  if ray.reach < infinity then Format.fprintf ppf ", t < %a" Number.pp ray.reach

@@ -1,0 +1,42 @@
+(** Rays: [y = x + t d] for [0 < t < reach]. *)
+
+type t = private {
+  ox : float;
+  oy : float;
+  oz : float;  (** the origin x *)
+  dx : float;
+  dy : float;
+  dz : float;  (** the direction d, of length 1 *)
+  reach : float;
+      (** hits at this distance or beyond do not count; [infinity] unless the
+          ray goes {!towards} a point *)
+}
+(** The type for rays. The fields lie flat in one block of doubles because the
+    inner loop of the tracer reads them; elsewhere use {!origin} and
+    {!direction}. *)
+
+val make : origin:Vec3.t -> direction:Direction.t -> t
+(** [make ~origin ~direction] is the ray without end from [origin] along
+    [direction]. *)
+
+val towards : origin:Vec3.t -> target:Vec3.t -> short:float -> t option
+(** [towards ~origin ~target ~short] is the ray from [origin] in the direction
+    of [target] whose reach ends [short] before [target]; [None] if the two
+    points coincide or are so far apart that no direction can be computed. *)
+
+val origin : t -> Vec3.t
+(** [origin ray] is the point where [ray] starts. *)
+
+val direction : t -> Direction.t
+(** [direction ray] is the unit vector along [ray]. *)
+
+val at : t -> float -> Vec3.t
+(** [at ray t] is the point of [ray] at distance [t]. *)
+
+val reflect : t -> at:Vec3.t -> normal:Direction.t -> t
+(** [reflect ray ~at ~normal] is the ray without end from the point [at] in the
+    direction of [ray] mirrored by a surface with this [normal]. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints [(0, 0, -4) + t (0, 0, 1)], followed by [, t < 3] if the ray has
+    an end. *)

@@ -1,0 +1,40 @@
+(** Shapes: what an object of a scene looks like, without its surface.
+
+    A new shape is a module of its own like {!Sphere}, a constructor here, and a
+    case in each function below. *)
+
+type t = Sphere of Sphere.t | Plane of Plane.t  (** The type for shapes. *)
+
+val sphere : centre:Vec3.t -> radius:float -> t
+(** [sphere ~centre ~radius] is {!Sphere.make} as a shape. *)
+
+val plane : point:Vec3.t -> normal:Vec3.t -> t
+(** [plane ~point ~normal] is {!Plane.make} as a shape; [normal] may have any
+    length.
+
+    @raise Invalid_argument
+      if a coordinate is not finite or [normal] is the zero vector. *)
+
+val intersections : t -> Ray.t -> float list
+(** [intersections shape ray] is all distances [t], in ascending order, at which
+    the line of [ray] meets [shape]; negative ones lie behind the ray's origin.
+    The ray's reach is not looked at. *)
+
+val nearest : t -> Ray.t -> float
+(** [nearest shape ray] is the least of {!intersections} that is greater than 0,
+    or [infinity] if there is none. *)
+
+val normal : t -> Vec3.t -> Direction.t
+(** [normal shape point] is the unit normal of [shape] at [point], a point of
+    [shape]: outward for a sphere, as given for a plane. *)
+
+val name : t -> string
+(** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. *)
+
+val equal : t -> t -> bool
+(** [equal a b] is whether [a] and [b] are the same shape with the same numbers.
+*)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints [sphere centre (0, 0, 6) radius 1] and
+    [plane through (0, -1, 0) normal (0, 1, 0)]. *)

@@ -1,0 +1,38 @@
+(** Spheres. *)
+
+type t = private { cx : float; cy : float; cz : float; radius : float }
+(** The type for spheres: a centre and a radius greater than 0, all finite. *)
+
+val make : centre:Vec3.t -> radius:float -> t
+(** [make ~centre ~radius] is the sphere around [centre].
+
+    @raise Invalid_argument
+      if a number is not finite or [radius] is not greater than 0. *)
+
+val centre : t -> Vec3.t
+(** [centre sphere] is its centre. *)
+
+val intersections : t -> Ray.t -> float list
+(** [intersections sphere ray] is all [t], negative ones included and in
+    ascending order, for which [Ray.at ray t] lies on [sphere]: none or two,
+    which are equal where the line touches the sphere. The ray's reach is not
+    looked at.
+
+    With [l] the vector from the point of the line that is nearest to the
+    centre, the discriminant is computed as [r^2 - l . l]: the textbook's
+    [b^2 - c] loses all digits for a small sphere far away (E. Haines and
+    others, {e Precision improvements for ray/sphere intersection}, Ray Tracing
+    Gems, 2019). *)
+
+val nearest : t -> Ray.t -> float
+(** [nearest sphere ray] is the least of {!intersections} that is greater than
+    0, or [infinity] if there is none. *)
+
+val normal : t -> Vec3.t -> Direction.t
+(** [normal sphere point] is the unit vector from the centre towards [point]:
+    for a point of the sphere, the outward normal. The centre itself is given
+    the direction of the y axis. *)
+
+val project : t -> Direction.t -> Vec3.t
+(** [project sphere normal] is the point of [sphere] whose outward normal is
+    [normal]. *)

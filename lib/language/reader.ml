@@ -1,0 +1,101 @@
+module Engine = Slow_parser.MenhirInterpreter
+
+let byte_order_mark = "\xef\xbb\xbf"
+
+(* Feeding the text in pieces spares a second copy of a large one. *)
+let lexbuf source =
+  let text = Source.text source in
+  let next =
+    ref
+      (if String.starts_with ~prefix:byte_order_mark text then
+         String.length byte_order_mark
+       else 0)
+  in
+  let skipped = !next in
+  let refill buffer wanted =
+    let length = Int.min wanted (String.length text - !next) in
+    Bytes.blit_string text !next buffer 0 length;
+    next := !next + length;
+    length
+  in
+  let lexbuf = Lexing.from_function refill in
+  Lexing.set_position lexbuf
+    { Lexing.dummy_pos with pos_lnum = 1; pos_cnum = skipped };
+  lexbuf.lex_abs_pos <- skipped;
+  lexbuf
+
+let keywords_among acceptable =
+  List.filter_map
+    (fun (word, token) -> if acceptable token then Some word else None)
+    Keyword.all
+
+let syntax_error source checkpoint token (start : Lexing.position)
+    (stop : Lexing.position) =
+  let span = Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum in
+  let state =
+    match checkpoint with
+    | Engine.InputNeeded env -> Engine.current_state_number env
+    | _ -> assert false (* only such checkpoints are handed here *)
+  in
+  let expected, advice =
+    let text = Parser_messages.message state in
+    match String.index_opt text '\n' with
+    | Some i ->
+        ( String.sub text 0 i,
+          String.trim (String.sub text i (String.length text - i)) )
+    | None -> (text, "")
+  in
+  let found = Source.quote source span in
+  let article = "a " in
+  let message =
+    match (token : Parser.token) with
+    | WORD _ when expected = "number" ->
+        Printf.sprintf "'%s' is not a number" found
+    | WORD _ -> Printf.sprintf "unknown %s '%s'" expected found
+    | EOF ->
+        Printf.sprintf "the file ends where %s%s should follow" article expected
+    | _ ->
+        Printf.sprintf "%s%s should stand here, not '%s'" article expected found
+  in
+  let suggestion =
+    match token with
+    | WORD word ->
+        let acceptable token = Engine.acceptable checkpoint token start in
+        Keyword.nearest word ~among:(keywords_among acceptable)
+    | _ -> None
+  in
+  let advice =
+    match suggestion with
+    | Some word -> Printf.sprintf "%s Did you mean '%s'?" advice word
+    | None -> advice
+  in
+  Scene_error.make source span ~advice message
+
+(* Runs the slow parser over a text that the fast one refused. *)
+let explain_error source =
+  let lexbuf = lexbuf source in
+  let rec run input checkpoint =
+    match checkpoint with
+    | Engine.InputNeeded _ ->
+        let token = Lexer.token lexbuf in
+        let start = lexbuf.lex_start_p and stop = lexbuf.lex_curr_p in
+        advance
+          (checkpoint, token, start, stop)
+          (Engine.offer checkpoint (token, start, stop))
+    | _ -> advance input checkpoint
+  and advance input checkpoint =
+    match checkpoint with
+    | Engine.InputNeeded _ -> run input checkpoint
+    | Shifting _ | AboutToReduce _ -> advance input (Engine.resume checkpoint)
+    | HandlingError _ | Rejected ->
+        let before, token, start, stop = input in
+        Error (syntax_error source before token start stop)
+    | Accepted syntax -> Ok syntax
+  in
+  let start = Slow_parser.Incremental.scene Lexing.dummy_pos in
+  run (start, Parser.EOF, Lexing.dummy_pos, Lexing.dummy_pos) start
+
+let parse source =
+  match Parser.scene Lexer.token (lexbuf source) with
+  | syntax -> Ok syntax
+  | exception Parser.Error -> explain_error source

@@ -1,0 +1,21 @@
+(** What is wrong with a scene file, and where. *)
+
+type t = {
+  file : string;
+  place : Source.place option;  (** [None]: the file could not be read *)
+  message : string;  (** what is wrong, in one line *)
+  excerpt : string;
+      (** the line in question with a marker under the place, or [""] *)
+  advice : string;  (** what to do, or [""] *)
+}
+(** The type for errors. All strings are printable; see {!Source.printable}. *)
+
+val make : Source.t -> Span.t -> ?advice:string -> string -> t
+(** [make source span message] is the error that [span] is wrong. *)
+
+val unreadable : file:string -> string -> t
+(** [unreadable ~file reason] is the error that [file] cannot be read. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints the error as a compiler does, [file:line:columns: error:] and
+    the message first, then excerpt and advice. *)

@@ -1,0 +1,102 @@
+open Raylab_geometry
+open Raylab_scene
+
+let parse source =
+  match Reader.parse source with
+  | Error error -> Error [ error ]
+  | Ok syntax -> Check.scene source syntax
+
+(* {1 Reading files} *)
+
+let max_size = 1 lsl 31
+let chunk_size = 1 lsl 16
+
+(* By chunks, since the length of a pipe or a device is not known before. *)
+let read_at_most limit channel =
+  let length = try In_channel.length channel with Sys_error _ -> 0L in
+  let known = Int64.to_int (Int64.min length (Int64.of_int limit)) in
+  let text = Buffer.create (Int.max chunk_size known) in
+  let chunk = Bytes.create chunk_size in
+  let rec read () =
+    match In_channel.input channel chunk 0 chunk_size with
+    | 0 -> Ok (Buffer.contents text)
+    | count when Buffer.length text + count > limit ->
+        Error (Printf.sprintf "the scene is larger than %d bytes" limit)
+    | count ->
+        Buffer.add_subbytes text chunk 0 count;
+        read ()
+  in
+  read ()
+
+let read path =
+  if path = "-" then (
+    In_channel.set_binary_mode stdin true;
+    read_at_most max_size stdin)
+  else In_channel.with_open_bin path (read_at_most max_size)
+
+let load path =
+  let file = if path = "-" then "<standard input>" else path in
+  match read path with
+  | Ok text -> parse (Source.make ~name:file text)
+  | Error reason -> Error [ Scene_error.unreadable ~file reason ]
+  | exception Sys_error reason ->
+      (* the system's message starts with the path, which the error names *)
+      let prefix = path ^ ": " in
+      let reason =
+        if String.starts_with ~prefix reason then
+          let n = String.length prefix in
+          String.sub reason n (String.length reason - n)
+        else reason
+      in
+      Error [ Scene_error.unreadable ~file reason ]
+
+(* {1 Printing} *)
+
+let number = Number.to_exact_string
+let vector { Vec3.x; y; z } = String.concat " " [ number x; number y; number z ]
+let color { Color.r; g; b } = String.concat " " [ number r; number g; number b ]
+
+let print_light ppf (light : Light.t) =
+  Format.fprintf ppf "%s %s %s %s@\n" (Light.name light)
+    (number light.intensity) (color light.color)
+    (match light.source with
+    | Directional direction -> vector (direction :> Vec3.t)
+    | Point position -> vector position)
+
+let print_shape ppf = function
+  | Shape.Sphere s ->
+      Format.fprintf ppf "sphere %s %s"
+        (vector (Sphere.centre s))
+        (number s.radius)
+  | Plane p ->
+      Format.fprintf ppf "plane %s %s" (vector p.point)
+        (vector (p.normal :> Vec3.t))
+
+let rec print_surface ppf = function
+  | Surface.Diffusive c -> Format.fprintf ppf "diffusive %s" (color c)
+  | Reflective -> Format.pp_print_string ppf "reflective"
+  | Luminous c -> Format.fprintf ppf "luminous %s" (color c)
+  | Mixed parts ->
+      Format.pp_print_string ppf "mixed";
+      List.iter
+        (fun (weight, surface) ->
+          Format.fprintf ppf " %s %a" (number weight) print_surface surface)
+        parts
+
+let print ppf (scene : Scene.t) =
+  let { Camera.width; height; canvas_width; canvas_height; depth } =
+    scene.camera
+  in
+  Format.fprintf ppf "imWidth %d@\nimHeight %d@\n" width height;
+  Format.fprintf ppf "canvWidth %s@\ncanvHeight %s@\n" (number canvas_width)
+    (number canvas_height);
+  Format.fprintf ppf "depth %s@\n" (number depth);
+  Format.fprintf ppf "bcolor %s@\n" (color scene.background);
+  Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
+  if scene.lights <> [] then Format.fprintf ppf "lights@\n";
+  List.iter (print_light ppf) scene.lights;
+  Format.fprintf ppf "objects@\n";
+  List.iter
+    (fun (o : Object.t) ->
+      Format.fprintf ppf "%a %a@\n" print_shape o.shape print_surface o.surface)
+    scene.objects

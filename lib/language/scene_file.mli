@@ -1,0 +1,22 @@
+(** Scene files: reading and writing the scene language. *)
+
+open Raylab_scene
+
+val parse : Source.t -> (Scene.t, Scene_error.t list) result
+(** [parse source] is the scene that [source] describes, or what is wrong with
+    it: one error of syntax, or all errors of validation in the order of the
+    text. It takes time linear in the size of the text and raises nothing,
+    whatever the bytes. *)
+
+val load : string -> (Scene.t, Scene_error.t list) result
+(** [load path] is {!parse} of the file at [path], or of standard input if
+    [path] is ["-"]. A file that cannot be read, or of more than {!max_size}
+    bytes, is an error too. *)
+
+val max_size : int
+(** [max_size] is 2^31, 2 GiB. *)
+
+val print : Format.formatter -> Scene.t -> unit
+(** [print ppf scene] writes [scene] in the scene language, one setting, light
+    or object a line, with numbers in full: {!parse} of it is equal to [scene]
+    ({!Raylab_scene.Scene.equal}). *)

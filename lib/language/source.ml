@@ -1,0 +1,117 @@
+type t = { name : string; text : string; line_starts : int array Lazy.t }
+
+let printable text =
+  let out = Buffer.create (String.length text) in
+  let rec copy i =
+    if i < String.length text then (
+      let decoded = String.get_utf_8_uchar text i in
+      let code = Uchar.to_int (Uchar.utf_decode_uchar decoded) in
+      let is_control = code < 0x20 || (0x7f <= code && code < 0xa0) in
+      (* these reverse or hide text on some terminals *)
+      let is_format =
+        (0x200b <= code && code <= 0x200f)
+        || (0x2028 <= code && code <= 0x202e)
+        || (0x2060 <= code && code <= 0x206f)
+        || code = 0xfeff
+      in
+      if code = 0x09 then Buffer.add_char out ' '
+      else if is_control || is_format || not (Uchar.utf_decode_is_valid decoded)
+      then Buffer.add_utf_8_uchar out Uchar.rep
+      else Buffer.add_utf_8_uchar out (Uchar.of_int code);
+      copy (i + Uchar.utf_decode_length decoded))
+  in
+  copy 0;
+  Buffer.contents out
+
+let find_line_starts text =
+  let starts = ref [ 0 ] in
+  String.iteri (fun i c -> if c = '\n' then starts := (i + 1) :: !starts) text;
+  Array.of_list (List.rev !starts)
+
+let make ~name text =
+  { name = printable name; text; line_starts = lazy (find_line_starts text) }
+
+let name source = source.name
+let text source = source.text
+
+(* The last line that starts at or before [offset], counted from 0. *)
+let line_at source offset =
+  let starts = Lazy.force source.line_starts in
+  let rec search low high =
+    if high - low <= 1 then low
+    else
+      let middle = (low + high) / 2 in
+      if starts.(middle) <= offset then search middle high
+      else search low middle
+  in
+  search 0 (Array.length starts)
+
+(* Where the line that starts at [start] ends, its line end left out. *)
+let line_stop source start =
+  let stop =
+    Option.value
+      (String.index_from_opt source.text start '\n')
+      ~default:(String.length source.text)
+  in
+  if stop > start && source.text.[stop - 1] = '\r' then stop - 1 else stop
+
+type place = { line : int; first : int; last : int }
+
+let place source span =
+  let line = line_at source (Span.start span) in
+  let start = (Lazy.force source.line_starts).(line) in
+  let first = Span.start span - start + 1 in
+  let stop = Int.min (Span.stop span) (line_stop source start) in
+  { line = line + 1; first; last = Int.max first (stop - start) }
+
+let longest_quote = 40
+
+let quote source span =
+  let start = Span.start span in
+  let length = Span.stop span - start in
+  if length <= longest_quote then
+    printable (String.sub source.text start length)
+  else printable (String.sub source.text start longest_quote) ^ "..."
+
+let word source span k =
+  let text = source.text and stop = Span.stop span in
+  let is_blank i = String.contains " \t\r\n\011\012" text.[i] in
+  let rec skip until i =
+    if i >= stop || until i then i else skip until (i + 1)
+  in
+  let rec find k i =
+    if i >= stop then span
+    else if text.[i] = '#' then find k (skip (fun i -> text.[i] = '\n') i)
+    else if is_blank i then find k (i + 1)
+    else
+      let after = skip (fun i -> is_blank i || text.[i] = '#') i in
+      if k = 0 then Span.make ~start:i ~stop:after else find (k - 1) after
+  in
+  find k (Span.start span)
+
+let widest_excerpt = 72
+
+let characters text =
+  let count n c = if Char.code c land 0xc0 = 0x80 then n else n + 1 in
+  String.fold_left count 0 text
+
+let excerpt source span =
+  let start =
+    (Lazy.force source.line_starts).(line_at source (Span.start span))
+  in
+  let stop = line_stop source start in
+  let from, until =
+    if stop - start <= widest_excerpt then (start, stop)
+    else
+      let from = Int.max start (Span.start span - (widest_excerpt / 2)) in
+      (from, Int.min stop (from + widest_excerpt))
+  in
+  let piece a b = printable (String.sub source.text a (Int.max 0 (b - a))) in
+  let before =
+    if from > start then "..." ^ piece from (Span.start span)
+    else piece from (Span.start span)
+  in
+  let marked = piece (Span.start span) (Int.min until (Span.stop span)) in
+  let after = piece (Int.min until (Span.stop span)) until in
+  let after = if until < stop then after ^ "..." else after in
+  (before ^ marked ^ after, characters before, Int.max 1 (characters marked))

@@ -1,0 +1,42 @@
+(** Source texts: a scene file's name and bytes, and the places in it. *)
+
+type t
+(** The type for source texts. *)
+
+val make : name:string -> string -> t
+(** [make ~name text] is the source [text]. [name] is what errors call it. *)
+
+val name : t -> string
+(** [name source] is its name, with {!printable} characters only. *)
+
+val text : t -> string
+(** [text source] is all its bytes. *)
+
+type place = {
+  line : int;  (** counted from 1 *)
+  first : int;  (** the column of the first byte, counted from 1 *)
+  last : int;  (** the column of the last byte; at least [first] *)
+}
+(** Where a span is. Columns count bytes. *)
+
+val place : t -> Span.t -> place
+(** [place source span] is where [span] is. An empty span, or one that goes on
+    in another line, gets at least one column of its first line. *)
+
+val quote : t -> Span.t -> string
+(** [quote source span] is the text of [span], {!printable} and shortened where
+    it is long. *)
+
+val word : t -> Span.t -> int -> Span.t
+(** [word source span k] is the [k]-th word, counted from 0, that starts in
+    [span], comments left out; [span] itself if there are fewer. *)
+
+val excerpt : t -> Span.t -> string * int * int
+(** [excerpt source span] is [(line, before, length)]: the {!printable} text of
+    the line on which [span] starts, or the part around [span] of a long line,
+    and the place of [span] in it, in characters. *)
+
+val printable : string -> string
+(** [printable text] is [text] with every control character and every byte that
+    is not valid UTF-8 replaced by U+FFFD, so that a hostile file cannot reach
+    the terminal's controls. Tabs become spaces. *)

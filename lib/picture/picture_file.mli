@@ -1,0 +1,36 @@
+(** Picture files. *)
+
+open Raylab_tracer
+
+type format = Bmp | Png | Ppm
+
+val formats : (string * format) list
+(** [formats] is the file name extensions, in lower case, with the format that
+    each stands for. *)
+
+val format_of_path : string -> (format, string) result
+(** [format_of_path path] is the format that the extension of [path] names,
+    whatever its case, or {!Bmp} if there is none; or a message that says which
+    extensions there are. *)
+
+val check_size : format -> width:int -> height:int -> (unit, string) result
+(** [check_size format ~width ~height] is whether a picture of this size fits
+    into memory as far as raylab goes, 4 GiB, and into [format], or a message
+    that says why not. *)
+
+val save : format -> path:string -> Picture.t -> (unit, string) result
+(** [save format ~path picture] writes [picture] to [path], so that the file
+    appears whole or not at all: it is written beside [path] under another name,
+    checked, flushed to the disk and then renamed. If anything fails the result
+    is a message that names [path] and the reason, and what was at [path] before
+    is untouched. A symbolic link is followed. What is not a regular file, such
+    as a device, is written to directly. *)
+
+val output : format -> out_channel -> Picture.t -> (unit, string) result
+(** [output format channel picture] writes [picture] to [channel], in binary
+    mode, and flushes it. *)
+
+val temporary : unit -> string list
+(** [temporary ()] is the files that a {!save} or {!output} under way would
+    leave behind if the program ended now: what a signal handler has to remove.
+*)

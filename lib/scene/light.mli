@@ -1,0 +1,90 @@
+(** Lights. *)
+
+open Raylab_geometry
+
+type source =
+  | Directional of Direction.t  (** travels along this direction everywhere *)
+  | Point of Vec3.t  (** shines from this point to all sides *)
+
+type t = private {
+  source : source;
+  intensity : float;
+  color : Color.t;
+  line : int option;  (** where a scene file has it, lines counted from 1 *)
+}
+(** The type for lights. *)
+
+(** {1 Building}
+
+    @raise Invalid_argument
+      if [intensity] or a channel of [color] is negative or not finite, or a
+      coordinate is not finite, or [direction] is the zero vector. *)
+
+val directional : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
+(** [directional ~intensity ~color direction] is light that travels along
+    [direction], a vector of any length, as from a sun. *)
+
+val point : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
+(** [point ~intensity ~color position] is the scene language's [spherical]
+    light: it falls off with the square of the distance from [position]. *)
+
+(** {1 What reaches a point} *)
+
+type incidence = {
+  towards : Direction.t;  (** from the lit point to the light *)
+  cosine : float;
+      (** of the angle between [towards] and the normal; not positive where the
+          surface faces away *)
+  falloff : float;
+      (** 1 over the squared distance for a point light, 1 for a directional one
+      *)
+}
+(** How light meets a surface. *)
+
+val incidence : t -> point:Vec3.t -> normal:Direction.t -> incidence option
+(** [incidence light ~point ~normal] is how [light] meets a surface through
+    [point] with [normal], or [None] if a point light is exactly at [point], or
+    too far from it for a double, where it gives nothing. *)
+
+val power : t -> Color.t
+(** [power light] is [intensity * color], at most [max_float]. *)
+
+val contribution : power:Color.t -> incidence -> Color.t
+(** [contribution ~power incidence] is
+    [max 0 cosine * falloff * intensity * color], at most [max_float]: what the
+    point receives if nothing is in the way. *)
+
+val received : t -> point:Vec3.t -> normal:Direction.t -> Color.t
+(** [received light ~point ~normal] is the {!contribution} of [light] at
+    [point]. *)
+
+(** {1 Shadows} *)
+
+val shadow_ray :
+  t -> point:Vec3.t -> normal:Direction.t -> offset:float -> Ray.t option
+(** [shadow_ray light ~point ~normal ~offset] is the ray that asks whether
+    [point] sees [light]. It starts [offset] from [point] along [normal]; for a
+    point light it ends [offset] before the light, so that a light that lies on
+    a surface is not in that surface's shadow. [None] if the light is where the
+    ray would start. *)
+
+val blocks : Ray.t -> float -> bool
+(** [blocks shadow_ray t] is whether a hit at distance [t] of a shadow ray lies
+    between its point and its light. *)
+
+val name : t -> string
+(** [name light] is the scene language's word: ["directional"] or ["spherical"].
+*)
+
+val map_color : (Color.t -> Color.t) -> t -> t
+(** [map_color f light] is [light] in the colour [f color].
+
+    @raise Invalid_argument if [f] makes a colour that no light may have. *)
+
+val equal : t -> t -> bool
+(** [equal a b] is whether [a] and [b] have the same numbers. Lines do not
+    count. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints [directional light, intensity 1, rgb 1 1 1, along (0, -1, 0)] or
+    [point light, intensity 1, rgb 1 1 1, at (0, 5, 0)]. *)

@@ -1,0 +1,92 @@
+open Raylab_geometry
+
+type t = {
+  camera : Camera.t;
+  background : Color.t;
+  ray_depth : int;
+  lights : Light.t list;
+  objects : Object.t list;
+}
+
+let default_ray_depth = 4
+let max_ray_depth = 1_000_000
+
+let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
+    ?(lights = []) ?(objects = []) camera =
+  Color.require "the background" background;
+  if ray_depth < 0 || ray_depth > max_ray_depth then
+    invalid_arg
+      (Printf.sprintf "the ray depth must be from 0 to %d, not %d" max_ray_depth
+         ray_depth);
+  { camera; background; ray_depth; lights; objects }
+
+let with_camera camera scene = { scene with camera }
+
+let greyscale scene =
+  let grey c = Grey.to_color (Grey.of_color c) in
+  let grey_object (o : Object.t) =
+    { o with surface = Surface.map_colors grey o.surface }
+  in
+  {
+    scene with
+    background = grey scene.background;
+    lights = List.map (Light.map_color grey) scene.lights;
+    objects = List.map grey_object scene.objects;
+  }
+
+let distortion { Camera.width; height; canvas_width; canvas_height; _ } =
+  canvas_width /. canvas_height /. (float_of_int width /. float_of_int height)
+
+let warnings scene =
+  let meaning (o : Object.t) = Surface.meaning o.surface in
+  let some_object holds = List.exists holds scene.objects in
+  let needs_light o = not (Color.equal (meaning o).albedo Color.black) in
+  let mirrors o = (meaning o).mirror > 0. in
+  let stretch = distortion scene.camera in
+  List.filter_map
+    (fun (holds, warning) -> if holds () then Some warning else None)
+    [
+      ( (fun () -> scene.objects = []),
+        "there is no object: the picture is all background" );
+      ( (fun () -> scene.ray_depth = 0),
+        "raydepth is 0: the picture is all background" );
+      ( (fun () -> scene.lights = [] && some_object needs_light),
+        "there is no light: diffusive surfaces are black" );
+      ( (fun () -> scene.ray_depth = 1 && some_object mirrors),
+        "raydepth is 1: mirrors show nothing but the background" );
+      ( (fun () -> stretch < 0.99 || stretch > 1.01),
+        Printf.sprintf
+          "canvas and picture differ in proportions: the picture looks %.3g \
+           times as %s as it should"
+          (if stretch < 1. then 1. /. stretch else stretch)
+          (if stretch < 1. then "wide" else "high") );
+    ]
+
+let equal a b =
+  Camera.equal a.camera b.camera
+  && Color.equal a.background b.background
+  && a.ray_depth = b.ray_depth
+  && List.equal Light.equal a.lights b.lights
+  && List.equal Object.equal a.objects b.objects
+
+let shown_objects = 10
+
+let pp ppf scene =
+  let { Camera.width; height; canvas_width; canvas_height; depth } =
+    scene.camera
+  in
+  Format.fprintf ppf "@[<v>scene of %d x %d pixels, canvas %a x %a, depth %a"
+    width height Number.pp canvas_width Number.pp canvas_height Number.pp depth;
+  Format.fprintf ppf "@,background %a, ray depth %d" Color.pp scene.background
+    scene.ray_depth;
+  List.iteri
+    (fun i light -> Format.fprintf ppf "@,light %d: %a" (i + 1) Light.pp light)
+    scene.lights;
+  List.iteri
+    (fun i o ->
+      if i < shown_objects then
+        Format.fprintf ppf "@,object %d: %a" (i + 1) Object.pp o)
+    scene.objects;
+  let hidden = List.length scene.objects - shown_objects in
+  if hidden > 0 then Format.fprintf ppf "@,and %d more objects" hidden;
+  Format.fprintf ppf "@]"

@@ -1,0 +1,54 @@
+(** Scenes that are ready to be rendered: every number in one is known to obey
+    the rules. *)
+
+type t = private {
+  camera : Camera.t;
+  background : Color.t;
+  ray_depth : int;
+      (** rays in a chain at most, the primary ray included; at least 0 *)
+  lights : Light.t list;
+  objects : Object.t list;
+}
+(** The type for scenes. Lights and objects are numbered by their place in these
+    lists, from 1. *)
+
+val make :
+  ?background:Color.t ->
+  ?ray_depth:int ->
+  ?lights:Light.t list ->
+  ?objects:Object.t list ->
+  Camera.t ->
+  t
+(** [make camera] is the scene seen by [camera]. [background] defaults to
+    {!Color.black}, [ray_depth] to {!default_ray_depth}, [lights] and [objects]
+    to none.
+
+    @raise Invalid_argument
+      if [ray_depth] is negative or greater than {!max_ray_depth}, or a channel
+      of [background] is negative or not finite. *)
+
+val default_ray_depth : int
+(** [default_ray_depth] is 4, as in the original. *)
+
+val max_ray_depth : int
+(** [max_ray_depth] is 1,000,000: a longer chain would not fit on the stack. *)
+
+val with_camera : Camera.t -> t -> t
+(** [with_camera camera scene] is [scene] seen by [camera]. *)
+
+val greyscale : t -> t
+(** [greyscale scene] is [scene] with every colour replaced by the grey of its
+    luminance; see {!Grey}. *)
+
+val warnings : t -> string list
+(** [warnings scene] is what is allowed but hardly meant, a sentence each: no
+    object, light on nothing that needs it, a ray depth of 0, a picture that
+    distorts the canvas. *)
+
+val equal : t -> t -> bool
+(** [equal a b] is whether [a] and [b] are the same scene. Source lines do not
+    count. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints size, lights and objects, numbered, one a line; of many objects
+    only the first few. *)

@@ -1,0 +1,34 @@
+open Raylab_scene
+
+type t = { width : int; height : int; rgb : Bytes.t }
+
+let create ~width ~height =
+  if width < 1 || height < 1 then
+    invalid_arg (Printf.sprintf "a picture of %d x %d pixels" width height);
+  { width; height; rgb = Bytes.make (3 * width * height) '\000' }
+
+let width picture = picture.width
+let height picture = picture.height
+
+let offset { width; height; _ } ~x ~y =
+  if x < 0 || x >= width || y < 0 || y >= height then
+    invalid_arg
+      (Printf.sprintf "pixel (%d, %d) of a picture of %d x %d pixels" x y width
+         height);
+  3 * ((y * width) + x)
+
+let set picture ~x ~y (color : Color.t) =
+  let at = offset picture ~x ~y in
+  Bytes.set_uint8 picture.rgb at (Level.of_channel color.r);
+  Bytes.set_uint8 picture.rgb (at + 1) (Level.of_channel color.g);
+  Bytes.set_uint8 picture.rgb (at + 2) (Level.of_channel color.b)
+
+let get picture ~x ~y =
+  let at = offset picture ~x ~y in
+  let byte k = Bytes.get_uint8 picture.rgb (at + k) in
+  (byte 0, byte 1, byte 2)
+
+let to_rgb picture = picture.rgb
+
+let equal a b =
+  a.width = b.width && a.height = b.height && Bytes.equal a.rgb b.rgb

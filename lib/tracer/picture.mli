@@ -1,0 +1,38 @@
+(** Pictures: the pixels that a rendering fills. *)
+
+open Raylab_scene
+
+type t
+(** The type for pictures: rows of red, green and blue bytes. Pixel [(x, y)] is
+    the [x]-th from the left, of the [y]-th row from the top, both counted from
+    0. *)
+
+val create : width:int -> height:int -> t
+(** [create ~width ~height] is a black picture of this size, three bytes a
+    pixel.
+
+    @raise Invalid_argument if [width] or [height] is less than 1. *)
+
+val width : t -> int
+(** [width picture] is the number of pixels in a row. *)
+
+val height : t -> int
+(** [height picture] is the number of rows. *)
+
+val set : t -> x:int -> y:int -> Color.t -> unit
+(** [set picture ~x ~y color] makes pixel [(x, y)] show [color]; see
+    {!Raylab_scene.Level}. Domains may set different pixels at the same time.
+
+    @raise Invalid_argument if there is no such pixel. *)
+
+val get : t -> x:int -> y:int -> int * int * int
+(** [get picture ~x ~y] is the red, green and blue byte of pixel [(x, y)].
+
+    @raise Invalid_argument if there is no such pixel. *)
+
+val to_rgb : t -> bytes
+(** [to_rgb picture] is the bytes of [picture] themselves, not a copy: row by
+    row from the top, three to a pixel. *)
+
+val equal : t -> t -> bool
+(** [equal a b] is whether [a] and [b] have the same size and pixels. *)

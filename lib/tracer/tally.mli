@@ -1,0 +1,19 @@
+(** What a rendering did, counted. *)
+
+type t = {
+  mutable primary : int;  (** rays from the eye *)
+  mutable reflected : int;  (** mirrored rays *)
+  mutable shadow : int;  (** rays towards lights *)
+  mutable hits : int;  (** primary and reflected rays that hit an object *)
+  mutable blocked : int;  (** shadow rays that did not reach their light *)
+}
+(** The type for tallies. Each domain counts in one of its own. *)
+
+val create : unit -> t
+(** [create ()] is a tally of nothing. *)
+
+val rays : t -> int
+(** [rays tally] is the number of rays of all kinds. *)
+
+val sum : t list -> t
+(** [sum tallies] is a new tally of all that [tallies] counted. *)

@@ -1,0 +1,54 @@
+(** The tracer: a function from a scene and a ray to a colour.
+
+    The colour of a ray with [n] rays left in its chain is the background if [n]
+    is 0 or the ray hits nothing, and otherwise, at the nearest hit on a surface
+    that denotes (emission, albedo, mirror),
+
+    {v
+emission + albedo * light + mirror * (colour of the mirrored ray, n - 1 left)
+    v}
+
+    where [light] is the sum, in the order of the scene, of what each light
+    gives that the surface faces and nothing blocks. *)
+
+open Raylab_geometry
+open Raylab_scene
+
+type t
+(** The type for scenes made ready for tracing. *)
+
+val prepare : ?query:(Shape.t array -> Query.t) -> Scene.t -> t
+(** [prepare scene] is [scene] made ready. [query] is the way of finding hits;
+    it makes no difference to any colour. *)
+
+val scene : t -> Scene.t
+(** [scene t] is the scene from which [t] was prepared. *)
+
+val objects : t -> Object.t array
+(** [objects t] is the objects of the scene in their order, in a new array. *)
+
+val ray : t -> Ray.t -> Color.t
+(** [ray t r] is the colour that [r] brings, with the scene's ray depth. Each
+    channel is finite and not negative. *)
+
+val pixel : t -> x:int -> y:int -> Color.t
+(** [pixel t ~x ~y] is the colour of the primary ray of pixel [(x, y)], y from
+    the top. *)
+
+val counted_pixel : t -> Tally.t -> x:int -> y:int -> Color.t
+(** [counted_pixel t tally ~x ~y] is [pixel t ~x ~y]; its rays are added to
+    [tally]. *)
+
+val primary_rays : Scene.t -> Ray.t Seq.t
+(** [primary_rays scene] is the ray of each pixel, row by row from the top. *)
+
+(** {1 Steps of the tracer} *)
+
+val nearest_hit : t -> Ray.t -> (int * Hit.t) option
+(** [nearest_hit t r] is the first object that [r] hits, by its place in the
+    scene counted from 0, and the hit; [None] if it hits nothing. Of objects hit
+    at the same distance the first of the scene counts. *)
+
+val light : t -> Hit.t -> Color.t
+(** [light t hit] is the light that reaches [hit] from all lights of the scene.
+*)
