@@ -6,7 +6,7 @@ let check path =
   match Scene_file.load path with
   | Ok scene ->
       List.iter
-        (Printf.eprintf "%s: warning: %s\n%!" (Source.printable path))
+        (Command.tell "%s: warning: %s" (Source.printable path))
         (Scene.warnings scene);
       true
   | Error errors ->

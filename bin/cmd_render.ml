@@ -1,4 +1,5 @@
 open Cmdliner
+open Raylab_parallel
 open Raylab_scene
 open Raylab_tracer
 open Raylab_picture
@@ -21,6 +22,7 @@ type target = Standard_output | File of string
 let target { scene; out; _ } =
   match out with
   | Some "-" -> Standard_output
+  | Some "" -> Command.usage_error "option -o: the name of the file is empty"
   | Some path -> File path
   | None when scene = "-" ->
       Command.usage_error
@@ -82,15 +84,16 @@ let check_size format options { Camera.width; height; _ } =
 
 let print_stats (tally : Tally.t) ~pixels ~seconds =
   let rays = Tally.rays tally in
-  Printf.eprintf "primary rays    %12d\n" tally.primary;
-  Printf.eprintf "reflected rays  %12d\n" tally.reflected;
-  Printf.eprintf "shadow rays     %12d\n" tally.shadow;
-  Printf.eprintf "rays            %12d\n" rays;
-  Printf.eprintf "hits            %12d\n" tally.hits;
-  Printf.eprintf "lights blocked  %12d\n" tally.blocked;
-  Printf.eprintf "pixels          %12d\n" pixels;
-  Printf.eprintf "time            %12.3f s\n" seconds;
-  Printf.eprintf "rays per second %12.0f\n%!" (float_of_int rays /. seconds)
+  let count name n = Command.tell "%-15s %12d" name n in
+  count "primary rays" tally.primary;
+  count "reflected rays" tally.reflected;
+  count "shadow rays" tally.shadow;
+  count "rays" rays;
+  count "hits" tally.hits;
+  count "lights blocked" tally.blocked;
+  count "pixels" pixels;
+  Command.tell "%-15s %12.3f s" "time" seconds;
+  Command.tell "%-15s %12.0f" "rays per second" (float_of_int rays /. seconds)
 
 let render options () =
   let target = target options in
@@ -108,8 +111,7 @@ let render options () =
   Progress.clear progress;
   write format target picture;
   (match target with
-  | File path when not options.quiet ->
-      Printf.eprintf "raylab: wrote %s\n%!" path
+  | File path when not options.quiet -> Command.say "wrote %s" path
   | _ -> ());
   if options.stats then
     print_stats tally
@@ -193,19 +195,21 @@ let options =
       "Render on $(docv) domains at once, by default one for each core. The \
        picture is the same, byte for byte."
     in
-    value & opt (some domains) None & info [ "j"; "domains" ] ~doc
+    value
+    & opt (some domains) None
+    & info [ "j"; "domains" ] ~docv:"DOMAINS" ~doc
   and size =
     let doc =
       "Make the picture $(docv) pixels large, whatever the scene says. It \
        shows the same canvas, stretched if its proportions differ."
     in
-    value & opt (some size) None & info [ "size" ] ~doc
+    value & opt (some size) None & info [ "size" ] ~docv:"WxH" ~doc
   and rows =
     let doc =
       "Render only rows $(docv), both included, counted from 0 at the top. The \
        picture holds just these rows."
     in
-    value & opt (some rows) None & info [ "rows" ] ~doc
+    value & opt (some rows) None & info [ "rows" ] ~docv:"A-B" ~doc
   and grey =
     let doc =
       "Render in greyscale: take every colour of the scene by its luminance."

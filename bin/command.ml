@@ -3,24 +3,34 @@ open Raylab_language
 
 exception Ended of int
 
-let say message = Format.eprintf "raylab: %s@." message
+(* Standard error may be closed or full. There is nobody to tell then, and the
+   work itself goes on. *)
+let print_line line =
+  try
+    prerr_string (line ^ "\n");
+    flush stderr
+  with Sys_error _ -> close_out_noerr stderr
 
-let usage_error format =
+let tell format = Printf.ksprintf print_line format
+
+let say format =
+  Printf.ksprintf (fun text -> print_line ("raylab: " ^ text)) format
+
+let end_with code format =
   Printf.ksprintf
     (fun message ->
-      say message;
-      raise (Ended Exit_code.usage))
+      say "%s" message;
+      raise (Ended code))
     format
 
-let write_error message =
-  say message;
-  raise (Ended Exit_code.not_written)
+let usage_error format = end_with Exit_code.usage format
+let write_error message = end_with Exit_code.not_written "%s" message
 
 let scene_arg =
   let doc = "The scene file, or $(b,-) for standard input." in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"SCENE" ~doc)
 
-let print_error error = Format.eprintf "%a@." Scene_error.pp error
+let print_error error = print_line (Format.asprintf "%a" Scene_error.pp error)
 
 let load_scene path =
   match Scene_file.load path with

@@ -1,5 +1,14 @@
 (** What the sub-commands share: arguments, and how they end. *)
 
+(** {1 Messages} *)
+
+val tell : ('a, unit, string, unit) format4 -> 'a
+(** [tell "..." ...] prints a line on standard error, if that can be written to.
+*)
+
+val say : ('a, unit, string, unit) format4 -> 'a
+(** [say "..." ...] is {!tell} with the name of the program before it. *)
+
 (** {1 Ends} *)
 
 exception Ended of int

@@ -3,6 +3,7 @@ let scene_error = 1
 let not_written = 2
 let usage = Cmdliner.Cmd.Exit.cli_error
 let interrupted = 130
+let hung_up = 129
 let terminated = 143
 
 let infos =
@@ -13,6 +14,7 @@ let infos =
     info not_written "if the picture could not be written.";
     info usage "if the command line is wrong.";
     info interrupted "if interrupted by Ctrl-C; nothing is written then.";
+    info hung_up "if the terminal went away; nothing is written then.";
     info terminated "if ended by a signal; nothing is written then.";
     info Cmdliner.Cmd.Exit.internal_error "on an error of raylab itself.";
   ]

@@ -15,6 +15,9 @@ val usage : int
 val interrupted : int
 (** 130: interrupted by Ctrl-C *)
 
+val hung_up : int
+(** 129: the terminal went away *)
+
 val terminated : int
 (** 143: ended by a signal to terminate *)
 

@@ -15,7 +15,7 @@ let man =
 
 let program =
   Cmd.group ~default:Cmd_render.default
-    (Cmd.info "raylab" ~version:"%%VERSION%%"
+    (Cmd.info "raylab" ~version:Version.number
        ~doc:"a ray tracer that can explain itself" ~man ~exits:Exit_code.infos)
     commands
 
@@ -30,8 +30,23 @@ let is_scene argument =
 let argv =
   match Array.to_list Sys.argv with
   | program :: first :: rest when is_scene first ->
-      (* as an argument after an option end, it names no command *)
-      Array.of_list ((program :: rest) @ [ "--"; first ])
+      Array.of_list (program :: Cmd.name Cmd_render.cmd :: first :: rest)
   | _ -> Sys.argv
 
-let () = exit (Cmd.eval' ~argv program)
+(* Ends at once, whatever the other domains are at, and leaves no file behind. *)
+let end_by_signal code _ =
+  List.iter Sys.remove (Raylab_picture.Picture_file.temporary ());
+  Unix._exit code
+
+let () =
+  (* a reader that goes away is an error of writing, told as one *)
+  Sys.set_signal Sys.sigpipe Signal_ignore;
+  List.iter
+    (fun (signal, code) ->
+      Sys.set_signal signal (Signal_handle (end_by_signal code)))
+    [
+      (Sys.sigint, Exit_code.interrupted);
+      (Sys.sighup, Exit_code.hung_up);
+      (Sys.sigterm, Exit_code.terminated);
+    ];
+  exit (Cmd.eval' ~argv program)

@@ -1,4 +1,4 @@
-type t = { shown : bool; started : float; mutable drawn : float }
+type t = { mutable shown : bool; started : float; mutable drawn : float }
 
 let start ~quiet =
   let now = Unix.gettimeofday () in
@@ -16,12 +16,16 @@ let time seconds =
 
 let clear_line = "\r\027[K"
 
+let draw line text =
+  try Printf.eprintf "%s%s%!" clear_line text
+  with Sys_error _ -> line.shown <- false
+
 let update line part =
   let now = Unix.gettimeofday () in
   if line.shown && now -. line.drawn >= seconds_between_drawings then (
     line.drawn <- now;
     let left = (now -. line.started) *. ((1. /. Float.max 1e-6 part) -. 1.) in
-    Printf.eprintf "%srendering %3.0f %%, %s left%!" clear_line (100. *. part)
-      (time left))
+    draw line
+      (Printf.sprintf "rendering %3.0f %%, %s left" (100. *. part) (time left)))
 
-let clear line = if line.shown then Printf.eprintf "%s%!" clear_line
+let clear line = if line.shown then draw line ""

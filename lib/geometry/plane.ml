@@ -8,20 +8,22 @@ let make ~(point : Vec3.t) ~normal =
 
 (* The distance at which the line meets the plane. For a parallel line it is
    infinite, or NaN if the line lies in the plane. *)
-let[@inline] distance { point = p; normal } (ray : Ray.t) =
-  let n = (normal :> Vec3.t) in
+let[@inline] distance px py pz nx ny nz (ray : Raw_ray.t) =
   let height =
-    ((p.x -. ray.ox) *. n.x)
-    +. ((p.y -. ray.oy) *. n.y)
-    +. ((p.z -. ray.oz) *. n.z)
-  and approach = (ray.dx *. n.x) +. (ray.dy *. n.y) +. (ray.dz *. n.z) in
+    ((px -. ray.ox) *. nx) +. ((py -. ray.oy) *. ny) +. ((pz -. ray.oz) *. nz)
+  and approach = (ray.dx *. nx) +. (ray.dy *. ny) +. (ray.dz *. nz) in
   height /. approach
 
-let intersections plane ray =
-  let t = distance plane ray in
-  if Float.is_finite t then [ t ] else []
-
-let nearest plane ray =
-  let t = distance plane ray in
+let[@inline] nearest_raw px py pz nx ny nz ray =
+  let t = distance px py pz nx ny nz ray in
   (* false for NaN *)
   if t > 0. then t else infinity
+
+let intersections { point = p; normal } (ray : Ray.t) =
+  let n = (normal :> Vec3.t) in
+  let t = distance p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t) in
+  if Float.is_finite t then [ t ] else []
+
+let nearest { point = p; normal } (ray : Ray.t) =
+  let n = (normal :> Vec3.t) in
+  nearest_raw p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t)

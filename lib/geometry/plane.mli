@@ -18,3 +18,9 @@ val intersections : t -> Ray.t -> float list
 val nearest : t -> Ray.t -> float
 (** [nearest plane ray] is the one of {!intersections} if it is greater than 0,
     and [infinity] otherwise. *)
+
+val nearest_raw :
+  float -> float -> float -> float -> float -> float -> Raw_ray.t -> float
+(** [nearest_raw px py pz nx ny nz ray] is {!nearest} for the plane through (px,
+    py, pz) with the unit normal (nx, ny, nz), for inner loops that keep planes
+    as numbers. *)

@@ -1,19 +1,20 @@
-type t = { nearest : Ray.t -> int; blocked : Ray.t -> bool }
+type t = { nearest : Raw_ray.t -> int; blocked : int -> Raw_ray.t -> bool }
+type index = unit -> t
 
 let no_shape = -1
 
-let brute_force shapes =
-  let nearest (ray : Ray.t) =
-    let best = ref no_shape and limit = ref ray.reach in
+let brute_force shapes () =
+  let nearest (ray : Raw_ray.t) =
+    let best = ref no_shape in
     Array.iteri
       (fun number shape ->
-        let t = Shape.nearest shape ray in
-        if t < !limit then (
+        let t = Shape.nearest_raw shape ray in
+        if t < ray.reach then (
           best := number;
-          limit := t))
+          ray.reach <- t))
       shapes;
     !best
-  and blocked (ray : Ray.t) =
-    Array.exists (fun shape -> Shape.nearest shape ray < ray.reach) shapes
+  and blocked _ (ray : Raw_ray.t) =
+    Array.exists (fun shape -> Shape.nearest_raw shape ray < ray.reach) shapes
   in
   { nearest; blocked }

@@ -1,22 +1,26 @@
 (** The two questions that a tracer asks of a set of shapes.
 
-    Shapes are numbered by their place in the array that the query was made
-    from. A hit counts if its distance [t] satisfies [0 < t < reach] of the ray.
-    Answers depend on nothing but the arguments, and any number of domains may
-    ask at once. *)
+    Shapes are numbered by their place in the array that they came in. A hit
+    counts if its distance [t] satisfies [0 < t < reach] of the ray. *)
 
 type t = {
-  nearest : Ray.t -> int;
+  nearest : Raw_ray.t -> int;
       (** [nearest ray] is the number of the shape that [ray] hits first, or
           {!no_shape}. Of shapes hit at the same distance it is the one with the
-          lowest number. *)
-  blocked : Ray.t -> bool;  (** [blocked ray] is whether [ray] hits any shape. *)
+          lowest number. The distance of the hit becomes the ray's reach. *)
+  blocked : int -> Raw_ray.t -> bool;
+      (** [blocked ray] is whether [ray] hits any shape. *)
 }
-(** The type for answers to both questions over some set of shapes. *)
+(** The type for ways to ask. One of these may keep notes for itself, on which
+    no answer depends; so each domain needs one of its own. *)
+
+type index = unit -> t
+(** The type for sets of shapes that can be asked: [index ()] is a new way to
+    ask. *)
 
 val no_shape : int
 (** [no_shape] is the number, -1, that stands for no shape. *)
 
-val brute_force : Shape.t array -> t
+val brute_force : Shape.t array -> index
 (** [brute_force shapes] tests every shape for every ray: slow, and so plain
-    that every other query is measured by it. *)
+    that every other index is measured by it. *)

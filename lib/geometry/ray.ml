@@ -1,16 +1,8 @@
-type t = {
-  ox : float;
-  oy : float;
-  oz : float;
-  dx : float;
-  dy : float;
-  dz : float;
-  reach : float;
-}
+type t = Raw_ray.t
 
 let[@inline] flat (o : Vec3.t) (d : Direction.t) reach =
   let d = (d :> Vec3.t) in
-  { ox = o.x; oy = o.y; oz = o.z; dx = d.x; dy = d.y; dz = d.z; reach }
+  { Raw_ray.ox = o.x; oy = o.y; oz = o.z; dx = d.x; dy = d.y; dz = d.z; reach }
 
 let make ~origin ~direction = flat origin direction infinity
 
@@ -21,12 +13,14 @@ let towards ~origin ~target ~short =
   in
   Option.map with_direction (Direction.of_vec3 way)
 
-let origin ray = Vec3.make ray.ox ray.oy ray.oz
+let of_raw (register : Raw_ray.t) = { register with ox = register.ox }
+let origin (ray : t) = Vec3.make ray.ox ray.oy ray.oz
+let reach (ray : t) = ray.reach
 
 (* The only way in is [flat], so the length is still 1. *)
-let direction ray = Direction.of_vec3_exn (Vec3.make ray.dx ray.dy ray.dz)
+let direction (ray : t) = Direction.of_vec3_exn (Vec3.make ray.dx ray.dy ray.dz)
 
-let[@inline] at ray t =
+let[@inline] at (ray : t) t =
   Vec3.make
     (ray.ox +. (t *. ray.dx))
     (ray.oy +. (t *. ray.dy))
@@ -35,7 +29,7 @@ let[@inline] at ray t =
 let reflect ray ~at ~normal =
   make ~origin:at ~direction:(Direction.reflect (direction ray) ~normal)
 
-let pp ppf ray =
+let pp ppf (ray : t) =
   Format.fprintf ppf "%a + t %a" Vec3.pp (origin ray) Direction.pp
     (direction ray);
   if ray.reach < infinity then Format.fprintf ppf ", t < %a" Number.pp ray.reach

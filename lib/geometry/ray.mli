@@ -1,19 +1,7 @@
 (** Rays: [y = x + t d] for [0 < t < reach]. *)
 
-type t = private {
-  ox : float;
-  oy : float;
-  oz : float;  (** the origin x *)
-  dx : float;
-  dy : float;
-  dz : float;  (** the direction d, of length 1 *)
-  reach : float;
-      (** hits at this distance or beyond do not count; [infinity] unless the
-          ray goes {!towards} a point *)
-}
-(** The type for rays. The fields lie flat in one block of doubles because the
-    inner loop of the tracer reads them; elsewhere use {!origin} and
-    {!direction}. *)
+type t = private Raw_ray.t
+(** The type for rays. Nothing changes a ray once it is made. *)
 
 val make : origin:Vec3.t -> direction:Direction.t -> t
 (** [make ~origin ~direction] is the ray without end from [origin] along
@@ -24,11 +12,19 @@ val towards : origin:Vec3.t -> target:Vec3.t -> short:float -> t option
     of [target] whose reach ends [short] before [target]; [None] if the two
     points coincide or are so far apart that no direction can be computed. *)
 
+val of_raw : Raw_ray.t -> t
+(** [of_raw register] is the ray that [register] holds now. The direction there
+    must have length 1. *)
+
 val origin : t -> Vec3.t
 (** [origin ray] is the point where [ray] starts. *)
 
 val direction : t -> Direction.t
 (** [direction ray] is the unit vector along [ray]. *)
+
+val reach : t -> float
+(** [reach ray] is the distance from which on hits do not count: [infinity]
+    unless the ray goes {!towards} a point. *)
 
 val at : t -> float -> Vec3.t
 (** [at ray t] is the point of [ray] at distance [t]. *)

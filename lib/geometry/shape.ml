@@ -9,9 +9,14 @@ let intersections = function
   | Sphere s -> Sphere.intersections s
   | Plane p -> Plane.intersections p
 
-let nearest = function
-  | Sphere s -> Sphere.nearest s
-  | Plane p -> Plane.nearest p
+let nearest_raw shape ray =
+  match shape with
+  | Sphere { cx; cy; cz; radius } -> Sphere.nearest_raw cx cy cz radius ray
+  | Plane { point = p; normal } ->
+      let n = (normal :> Vec3.t) in
+      Plane.nearest_raw p.x p.y p.z n.x n.y n.z ray
+
+let nearest shape (ray : Ray.t) = nearest_raw shape (ray :> Raw_ray.t)
 
 let normal shape point =
   match shape with Sphere s -> Sphere.normal s point | Plane p -> p.normal

@@ -24,6 +24,9 @@ val nearest : t -> Ray.t -> float
 (** [nearest shape ray] is the least of {!intersections} that is greater than 0,
     or [infinity] if there is none. *)
 
+val nearest_raw : t -> Raw_ray.t -> float
+(** [nearest_raw shape ray] is {!nearest} for a ray in a register. *)
+
 val normal : t -> Vec3.t -> Direction.t
 (** [normal shape point] is the unit normal of [shape] at [point], a point of
     [shape]: outward for a sphere, as given for a plane. *)

@@ -9,28 +9,43 @@ let make ~(centre : Vec3.t) ~radius =
 
 let centre s = Vec3.make s.cx s.cy s.cz
 
-(* [roots s ray none found] is [found near far] with the two distances at
-   which the line meets the sphere, or [none]. *)
-let[@inline] roots s (ray : Ray.t) none found =
-  let fx = s.cx -. ray.ox and fy = s.cy -. ray.oy and fz = s.cz -. ray.oz in
-  let along = (fx *. ray.dx) +. (fy *. ray.dy) +. (fz *. ray.dz) in
-  let lx = fx -. (along *. ray.dx)
-  and ly = fy -. (along *. ray.dy)
-  and lz = fz -. (along *. ray.dz) in
-  let discriminant =
-    (s.radius *. s.radius) -. ((lx *. lx) +. (ly *. ly) +. (lz *. lz))
-  in
+(* Where along the ray the point nearest to the centre is. *)
+let[@inline] middle cx cy cz (ray : Raw_ray.t) =
+  ((cx -. ray.ox) *. ray.dx)
+  +. ((cy -. ray.oy) *. ray.dy)
+  +. ((cz -. ray.oz) *. ray.dz)
+
+(* The square of half the length of the chord; negative for a miss. *)
+let[@inline] discriminant cx cy cz radius (ray : Raw_ray.t) middle =
+  let lx = cx -. ray.ox -. (middle *. ray.dx)
+  and ly = cy -. ray.oy -. (middle *. ray.dy)
+  and lz = cz -. ray.oz -. (middle *. ray.dz) in
+  (radius *. radius) -. ((lx *. lx) +. (ly *. ly) +. (lz *. lz))
+
+let[@inline] nearest_raw cx cy cz radius ray =
+  let middle = middle cx cy cz ray in
+  let discriminant = discriminant cx cy cz radius ray middle in
   (* false for NaN *)
   if discriminant >= 0. then
     let half = sqrt discriminant in
-    found (along -. half) (along +. half)
-  else none
+    let near = middle -. half in
+    if near > 0. then near
+    else
+      let far = middle +. half in
+      if far > 0. then far else infinity
+  else infinity
 
-let intersections s ray = roots s ray [] (fun near far -> [ near; far ])
+let nearest { cx; cy; cz; radius } (ray : Ray.t) =
+  nearest_raw cx cy cz radius (ray :> Raw_ray.t)
 
-let nearest s ray =
-  roots s ray infinity (fun near far ->
-      if near > 0. then near else if far > 0. then far else infinity)
+let intersections { cx; cy; cz; radius } (ray : Ray.t) =
+  let ray = (ray :> Raw_ray.t) in
+  let middle = middle cx cy cz ray in
+  let discriminant = discriminant cx cy cz radius ray middle in
+  if discriminant >= 0. then
+    let half = sqrt discriminant in
+    [ middle -. half; middle +. half ]
+  else []
 
 let y_axis = Direction.of_vec3_exn (Vec3.make 0. 1. 0.)
 let normal s point = Direction.of_vec3_or y_axis (Vec3.sub point (centre s))

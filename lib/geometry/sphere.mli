@@ -28,6 +28,10 @@ val nearest : t -> Ray.t -> float
 (** [nearest sphere ray] is the least of {!intersections} that is greater than
     0, or [infinity] if there is none. *)
 
+val nearest_raw : float -> float -> float -> float -> Raw_ray.t -> float
+(** [nearest_raw x y z radius ray] is {!nearest} for the sphere of [radius]
+    around (x, y, z), for inner loops that keep spheres as numbers. *)
+
 val normal : t -> Vec3.t -> Direction.t
 (** [normal sphere point] is the unit vector from the centre towards [point]:
     for a point of the sphere, the outward normal. The centre itself is given

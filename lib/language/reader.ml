@@ -29,14 +29,9 @@ let keywords_among acceptable =
     (fun (word, token) -> if acceptable token then Some word else None)
     Keyword.all
 
-let syntax_error source checkpoint token (start : Lexing.position)
+let syntax_error source checkpoint state token (start : Lexing.position)
     (stop : Lexing.position) =
   let span = Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum in
-  let state =
-    match checkpoint with
-    | Engine.InputNeeded env -> Engine.current_state_number env
-    | _ -> assert false (* only such checkpoints are handed here *)
-  in
   let expected, advice =
     let text = Parser_messages.message state in
     match String.index_opt text '\n' with
@@ -46,16 +41,13 @@ let syntax_error source checkpoint token (start : Lexing.position)
     | None -> (text, "")
   in
   let found = Source.quote source span in
-  let article = "a " in
   let message =
     match (token : Parser.token) with
     | WORD _ when expected = "number" ->
         Printf.sprintf "'%s' is not a number" found
     | WORD _ -> Printf.sprintf "unknown %s '%s'" expected found
-    | EOF ->
-        Printf.sprintf "the file ends where %s%s should follow" article expected
-    | _ ->
-        Printf.sprintf "%s%s should stand here, not '%s'" article expected found
+    | EOF -> Printf.sprintf "the file ends where a %s should follow" expected
+    | _ -> Printf.sprintf "a %s should stand here, not '%s'" expected found
   in
   let suggestion =
     match token with
@@ -87,9 +79,12 @@ let explain_error source =
     match checkpoint with
     | Engine.InputNeeded _ -> run input checkpoint
     | Shifting _ | AboutToReduce _ -> advance input (Engine.resume checkpoint)
-    | HandlingError _ | Rejected ->
+    | HandlingError env ->
+        (* messages are numbered by the state after all reductions *)
         let before, token, start, stop = input in
-        Error (syntax_error source before token start stop)
+        let state = Engine.current_state_number env in
+        Error (syntax_error source before state token start stop)
+    | Rejected -> assert false (* comes only after [HandlingError] *)
     | Accepted syntax -> Ok syntax
   in
   let start = Slow_parser.Incremental.scene Lexing.dummy_pos in

@@ -38,20 +38,14 @@ let pp_place ppf = function
       Format.fprintf ppf ":%d:%d" line first
   | Some { line; first; last } -> Format.fprintf ppf ":%d:%d-%d" line first last
 
+let pp_lines ppf text =
+  if text <> "" then
+    List.iter
+      (fun line ->
+        Format.pp_force_newline ppf ();
+        Format.pp_print_string ppf line)
+      (String.split_on_char '\n' text)
+
 let pp ppf { file; place; message; excerpt; advice } =
-  let pp_lines ppf text =
-    if text <> "" then (
-      Format.pp_force_newline ppf ();
-      Format.pp_print_text ppf text)
-  in
-  (* an excerpt's spaces must not become line breaks *)
-  let pp_excerpt ppf text =
-    if text <> "" then
-      List.iter
-        (fun line ->
-          Format.pp_force_newline ppf ();
-          Format.pp_print_string ppf line)
-        (String.split_on_char '\n' text)
-  in
   Format.fprintf ppf "@[<v>%s%a: error: %s%a%a@]" file pp_place place message
-    pp_excerpt excerpt pp_lines advice
+    pp_lines excerpt pp_lines advice

@@ -124,13 +124,21 @@ let copy_to channel path =
       copy ())
 
 let output_exn format channel picture =
+  let dir = Filename.get_temp_dir_name () in
+  if not (Sys.file_exists dir) then
+    raise (Sys_error ("there is no folder " ^ dir ^ " for temporary files"));
   Out_channel.set_binary_mode channel true;
-  with_temporary (Filename.get_temp_dir_name ()) (fun part ->
+  with_temporary dir (fun part ->
       write_whole format part picture;
       copy_to channel part)
 
 let output format channel picture =
-  reporting "standard output" (fun () -> output_exn format channel picture)
+  reporting "standard output" (fun () ->
+      try output_exn format channel picture
+      with failure ->
+        (* what is still in its buffer must not fail again at the exit *)
+        close_out_noerr channel;
+        raise failure)
 
 let save_beside format path ~permissions picture =
   with_temporary (Filename.dirname path) (fun part ->

@@ -38,14 +38,26 @@ let[@inline] along extent count k =
 
 let z_axis = Direction.of_vec3_exn (Vec3.make 0. 0. 1.)
 
-let primary_ray camera ~x ~y =
+let aim camera ~x ~y (ray : Raw_ray.t) =
   let from_bottom = camera.height - 1 - y in
-  let through =
-    Vec3.make
-      (along camera.canvas_width camera.width x)
-      (along camera.canvas_height camera.height from_bottom)
-      camera.depth
-  in
-  Ray.make ~origin:(eye camera) ~direction:(Direction.of_vec3_or z_axis through)
+  let dx = along camera.canvas_width camera.width x
+  and dy = along camera.canvas_height camera.height from_bottom
+  and dz = camera.depth in
+  Raw_ray.set_origin ray 0. 0. (-.dz);
+  ray.reach <- infinity;
+  let squared = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
+  if squared > 1e-280 && squared < 1e280 then
+    let scale = 1. /. sqrt squared in
+    Raw_ray.set_direction ray (dx *. scale) (dy *. scale) (dz *. scale)
+  else
+    (* beyond what can be squared *)
+    let direction = Direction.of_vec3_or z_axis (Vec3.make dx dy dz) in
+    let { Vec3.x; y; z } = (direction :> Vec3.t) in
+    Raw_ray.set_direction ray x y z
+
+let primary_ray camera ~x ~y =
+  let ray = Raw_ray.create () in
+  aim camera ~x ~y ray;
+  Ray.of_raw ray
 
 let equal (a : t) b = a = b

@@ -50,5 +50,8 @@ val primary_ray : t -> x:int -> y:int -> Ray.t
     pixel [(x, y)]; [x] counts from the left and [y] from the top, both from 0.
     Pixels outside the picture are all right. *)
 
+val aim : t -> x:int -> y:int -> Raw_ray.t -> unit
+(** [aim camera ~x ~y ray] makes [ray] the primary ray of pixel [(x, y)]. *)
+
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] have the same numbers. *)

@@ -63,7 +63,7 @@ let shadow_ray light ~point ~normal ~offset =
       Some (Ray.make ~origin ~direction:(Direction.neg along))
   | Point position -> Ray.towards ~origin ~target:position ~short:offset
 
-let blocks (shadow_ray : Ray.t) t = 0. < t && t < shadow_ray.reach
+let blocks shadow_ray t = 0. < t && t < Ray.reach shadow_ray
 
 let name light =
   match light.source with

@@ -1,3 +1,4 @@
+open Raylab_parallel
 open Raylab_scene
 
 type rows = { first : int; last : int }
@@ -10,14 +11,14 @@ let all_rows scene = { first = 0; last = (camera scene).height - 1 }
 let tile_side = 16
 let tiles length = (length + tile_side - 1) / tile_side
 
-let fill_tile scene picture ~first_row tally number =
+let fill_tile picture ~first_row evaluator number =
   let width = Picture.width picture and height = Picture.height picture in
   let left = number mod tiles width * tile_side
   and top = number / tiles width * tile_side in
   for y = top to Int.min height (top + tile_side) - 1 do
     for x = left to Int.min width (left + tile_side) - 1 do
       Picture.set picture ~x ~y
-        (Trace.counted_pixel scene tally ~x ~y:(first_row + y))
+        (Evaluator.pixel evaluator ~x ~y:(first_row + y))
     done
   done
 
@@ -31,9 +32,10 @@ let picture ?(domains = Parallel.default_domains ()) ?rows
     Picture.create ~width:(camera scene).width ~height:(last - first + 1)
   in
   let count = tiles (Picture.width picture) * tiles (Picture.height picture) in
-  let tallies =
-    Parallel.iter ~domains ~count ~worker:Tally.create
+  let evaluators =
+    Parallel.iter ~domains ~count
+      ~worker:(fun () -> Trace.evaluator scene)
       ~on_progress:(fun n -> on_progress (float_of_int n /. float_of_int count))
-      (fill_tile scene picture ~first_row:first)
+      (fill_tile picture ~first_row:first)
   in
-  (picture, Tally.sum tallies)
+  (picture, Tally.sum (List.map Evaluator.tally evaluators))

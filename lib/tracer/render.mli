@@ -16,10 +16,10 @@ val picture :
   Trace.t ->
   Picture.t * Tally.t
 (** [picture scene] is the picture of [scene], or of only those [rows] of it,
-    and what was done for it. [domains] defaults to {!Parallel.default_domains}.
-    [on_progress] is told now and then, on the calling domain, the part that is
-    done, up to 1.
+    and what was done for it. [domains] defaults to
+    {!Raylab_parallel.Parallel.default_domains}. [on_progress] is told now and
+    then, on the calling domain, the part that is done, up to 1.
 
     @raise Invalid_argument
       if [rows] are not rows of the picture, or [domains] is not between 1 and
-      {!Parallel.max_domains}. *)
+      {!Raylab_parallel.Parallel.max_domains}. *)

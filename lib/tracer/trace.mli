@@ -17,15 +17,15 @@ open Raylab_scene
 type t
 (** The type for scenes made ready for tracing. *)
 
-val prepare : ?query:(Shape.t array -> Query.t) -> Scene.t -> t
-(** [prepare scene] is [scene] made ready. [query] is the way of finding hits;
-    it makes no difference to any colour. *)
+val prepare : ?index:(Shape.t array -> Query.index) -> Scene.t -> t
+(** [prepare scene] is [scene] made ready. [index] is the way of finding hits,
+    by default {!Bvh.index}; it makes no difference to any colour. *)
 
 val scene : t -> Scene.t
 (** [scene t] is the scene from which [t] was prepared. *)
 
-val objects : t -> Object.t array
-(** [objects t] is the objects of the scene in their order, in a new array. *)
+val evaluator : t -> Evaluator.t
+(** [evaluator t] is a new evaluator of the scene, for the use of one domain. *)
 
 val ray : t -> Ray.t -> Color.t
 (** [ray t r] is the colour that [r] brings, with the scene's ray depth. Each
@@ -35,19 +35,14 @@ val pixel : t -> x:int -> y:int -> Color.t
 (** [pixel t ~x ~y] is the colour of the primary ray of pixel [(x, y)], y from
     the top. *)
 
-val counted_pixel : t -> Tally.t -> x:int -> y:int -> Color.t
-(** [counted_pixel t tally ~x ~y] is [pixel t ~x ~y]; its rays are added to
-    [tally]. *)
-
 val primary_rays : Scene.t -> Ray.t Seq.t
 (** [primary_rays scene] is the ray of each pixel, row by row from the top. *)
 
 (** {1 Steps of the tracer} *)
 
-val nearest_hit : t -> Ray.t -> (int * Hit.t) option
-(** [nearest_hit t r] is the first object that [r] hits, by its place in the
-    scene counted from 0, and the hit; [None] if it hits nothing. Of objects hit
-    at the same distance the first of the scene counts. *)
+val nearest_hit : t -> Ray.t -> Hit.t option
+(** [nearest_hit t r] is the first hit of [r], or [None] if it hits nothing. Of
+    objects hit at the same distance the first of the scene counts. *)
 
 val light : t -> Hit.t -> Color.t
 (** [light t hit] is the light that reaches [hit] from all lights of the scene.

@@ -1,0 +1,38 @@
+(** The tree of a bounding volume hierarchy, and how it is built. *)
+
+type boxes = (float, Bigarray.float64_elt, Bigarray.c_layout) Bigarray.Array1.t
+
+type t = private {
+  boxes : boxes;
+      (** twelve numbers for each inner node: for each of its two children the
+          least and greatest x, y and z of a box that holds it, in the order
+          xmin xmax ymin ymax zmin zmax *)
+  links : int array;
+      (** three for each inner node: the code of each child, and the axis (0, 1
+          or 2) along which the first child comes before the second *)
+  spheres : float array;
+      (** x, y, z and radius of each sphere, in the order of the leaves *)
+  numbers : int array;  (** the number of each sphere, in the same order *)
+  root : int;  (** the code of the whole tree *)
+}
+(** The type for trees. An inner node's code is its number; a leaf's is
+    negative, see {!leaf_first} and {!leaf_count}; that of no node is {!none}.
+*)
+
+val none : int
+(** [none] is the code of an empty tree. *)
+
+val leaf_first : int -> int
+(** [leaf_first code] is the place of the leaf's first sphere. *)
+
+val leaf_last : int -> int
+(** [leaf_last code] is the place of the leaf's last sphere. *)
+
+val max_depth : int
+(** [max_depth] is a bound on the number of inner nodes above any leaf. *)
+
+val build : domains:int -> (int * Sphere.t) array -> t
+(** [build ~domains spheres] is the tree over these spheres, each with its
+    number. A node is split where the surface-area heuristic says that a ray
+    will have least to test, looked for at 16 places on each axis (I. Wald,
+    {e On fast construction of SAH-based bounding volume hierarchies}, 2007). *)

@@ -1,0 +1,22 @@
+type t = {
+  mutable ox : float;
+  mutable oy : float;
+  mutable oz : float;
+  mutable dx : float;
+  mutable dy : float;
+  mutable dz : float;
+  mutable reach : float;
+}
+
+let create () =
+  { ox = 0.; oy = 0.; oz = 0.; dx = 0.; dy = 0.; dz = 1.; reach = infinity }
+
+let[@inline] set_origin ray x y z =
+  ray.ox <- x;
+  ray.oy <- y;
+  ray.oz <- z
+
+let[@inline] set_direction ray x y z =
+  ray.dx <- x;
+  ray.dy <- y;
+  ray.dz <- z

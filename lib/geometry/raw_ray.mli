@@ -1,0 +1,25 @@
+(** Rays whose numbers can be overwritten.
+
+    The tracer follows millions of rays. It keeps the one that it is at in a
+    register of this type, where storing a double allocates nothing. Everywhere
+    else rays are {!Ray.t}, which is this type with no way to change it. *)
+
+type t = {
+  mutable ox : float;
+  mutable oy : float;
+  mutable oz : float;  (** the origin *)
+  mutable dx : float;
+  mutable dy : float;
+  mutable dz : float;  (** the direction, of length 1 *)
+  mutable reach : float;  (** hits at this distance or beyond do not count *)
+}
+
+val create : unit -> t
+(** [create ()] is a new register. Its numbers are those of no ray. *)
+
+val set_origin : t -> float -> float -> float -> unit
+(** [set_origin ray x y z] makes [ray] start at (x, y, z). *)
+
+val set_direction : t -> float -> float -> float -> unit
+(** [set_direction ray x y z] makes [ray] go along (x, y, z), whose length must
+    be 1. *)

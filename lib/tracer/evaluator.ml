@@ -1,0 +1,332 @@
+open Raylab_geometry
+open Raylab_scene
+
+(* {1 Scenes as numbers} *)
+
+type scene = {
+  source : Scene.t;
+  objects : float array;
+  lights : float array;
+  index : Query.index;
+  offset : float;
+}
+
+(* An object is twelve numbers: centre and radius of a sphere; emission; albedo;
+   mirror; one spare, so that objects begin on even places. *)
+let object_size = 12
+let emission_at = 4
+let albedo_at = 7
+let mirror_at = 10
+
+(* Stands for the radius of what is no sphere. *)
+let no_radius = 0.
+
+let object_numbers (o : Object.t) =
+  let { Surface.emission = e; albedo = a; mirror } =
+    Surface.meaning o.surface
+  in
+  let cx, cy, cz, radius =
+    match o.shape with
+    | Sphere { cx; cy; cz; radius } -> (cx, cy, cz, radius)
+    | Plane { normal; _ } ->
+        let { Vec3.x; y; z } = (normal :> Vec3.t) in
+        (x, y, z, no_radius)
+  in
+  [| cx; cy; cz; radius; e.r; e.g; e.b; a.r; a.g; a.b; mirror; 0. |]
+
+(* A light is seven numbers: 1 for a point light and 0 for a directional one;
+   the position, or the direction towards the light; the power. *)
+let light_size = 7
+
+let light_numbers light =
+  let power = Light.power light in
+  let kind, { Vec3.x; y; z } =
+    match light.source with
+    | Point position -> (1., position)
+    | Directional along -> (0., (Direction.neg along :> Vec3.t))
+  in
+  [| kind; x; y; z; power.r; power.g; power.b |]
+
+(* [flatten size numbers items] is the numbers of all items, one after another. *)
+let flatten size numbers items =
+  let flat = Array.make (size * List.length items) 0. in
+  List.iteri
+    (fun k item -> Array.blit (numbers item) 0 flat (k * size) size)
+    items;
+  flat
+
+(* The original's offset of 1e-5 suits scenes whose canvas and depth measure a
+   few units; as a part of those it suits the same scenes at any scale. *)
+let relative_offset = 1e-5
+
+let prepare ~index (source : Scene.t) =
+  let shapes =
+    Array.of_list (List.map (fun (o : Object.t) -> o.shape) source.objects)
+  in
+  {
+    source;
+    objects = flatten object_size object_numbers source.objects;
+    lights = flatten light_size light_numbers source.lights;
+    index = index shapes;
+    offset = relative_offset *. Camera.scale source.camera;
+  }
+
+(* {1 Registers} *)
+
+type hit = {
+  mutable x : float;
+  mutable y : float;
+  mutable z : float;
+  mutable nx : float;
+  mutable ny : float;
+  mutable nz : float;
+  mutable offset : float;
+}
+
+type color = { mutable r : float; mutable g : float; mutable b : float }
+
+type t = {
+  scene : scene;
+  query : Query.t;
+  tally : Tally.t;
+  ray : Raw_ray.t;
+  shadow_ray : Raw_ray.t;
+  hit : hit;
+  light : color;
+  color : color;
+}
+
+let create scene =
+  let black () = { r = 0.; g = 0.; b = 0. } in
+  {
+    scene;
+    query = scene.index ();
+    tally = Tally.create ();
+    ray = Raw_ray.create ();
+    shadow_ray = Raw_ray.create ();
+    hit = { x = 0.; y = 0.; z = 0.; nx = 0.; ny = 0.; nz = 0.; offset = 0. };
+    light = black ();
+    color = black ();
+  }
+
+let tally t = t.tally
+
+let[@inline] set color r g b =
+  color.r <- Saturate.limit r;
+  color.g <- Saturate.limit g;
+  color.b <- Saturate.limit b
+
+(* {1 Hits} *)
+
+(* A computed point lies within a few units in the last place (2^-52 each) of the
+   largest number that went into it; this leaves some room. *)
+let rounding = 0x1p-44
+
+(* [set_hit t x y z nx ny nz size] puts the point (x, y, z) and the normal there
+   into the register, the normal on the side of the ray. [size] is the size of
+   the shape, where its numbers went into the point. *)
+let[@inline] set_hit t x y z nx ny nz size =
+  let ray = t.ray and hit = t.hit in
+  let against = (nx *. ray.dx) +. (ny *. ray.dy) +. (nz *. ray.dz) in
+  let side = if against > 0. then -1. else 1. in
+  hit.x <- x;
+  hit.y <- y;
+  hit.z <- z;
+  hit.nx <- side *. nx;
+  hit.ny <- side *. ny;
+  hit.nz <- side *. nz;
+  let least =
+    rounding
+    *. (size +. abs_float x +. abs_float y +. abs_float z +. abs_float ray.ox
+      +. abs_float ray.oy +. abs_float ray.oz)
+  and usual = t.scene.offset in
+  hit.offset <- (if usual >= least then usual else least)
+
+let find_hit t number =
+  let ray = t.ray in
+  let distance = ray.reach in
+  let x = ray.ox +. (distance *. ray.dx)
+  and y = ray.oy +. (distance *. ray.dy)
+  and z = ray.oz +. (distance *. ray.dz) in
+  let o = t.scene.objects and at = object_size * number in
+  let cx = o.(at) and cy = o.(at + 1) and cz = o.(at + 2) in
+  let radius = o.(at + 3) in
+  if radius > 0. then
+    let vx = x -. cx and vy = y -. cy and vz = z -. cz in
+    let squared = (vx *. vx) +. (vy *. vy) +. (vz *. vz) in
+    if squared > 0. then
+      let scale = 1. /. sqrt squared in
+      let nx = vx *. scale and ny = vy *. scale and nz = vz *. scale in
+      (* The sum above carries the rounding errors of origin and distance; the
+         point of the sphere nearest to it only those of the sphere. *)
+      set_hit t
+        (cx +. (radius *. nx))
+        (cy +. (radius *. ny))
+        (cz +. (radius *. nz))
+        nx ny nz radius
+    else set_hit t x y z ray.dx ray.dy ray.dz radius
+  else set_hit t x y z cx cy cz 0.
+
+(* {1 Light} *)
+
+let is_blocked t slot =
+  let tally = t.tally in
+  tally.shadow <- tally.shadow + 1;
+  let blocked = t.query.blocked slot t.shadow_ray in
+  if blocked then tally.blocked <- tally.blocked + 1;
+  blocked
+
+(* [add_light t at k] adds [k] times the power of the light at [at]. *)
+let[@inline] add_light t at k =
+  let l = t.scene.lights and sum = t.light in
+  let k = Saturate.limit k in
+  set sum
+    (sum.r +. Saturate.limit (k *. l.(at + 4)))
+    (sum.g +. Saturate.limit (k *. l.(at + 5)))
+    (sum.b +. Saturate.limit (k *. l.(at + 6)))
+
+let directional_light t at =
+  let l = t.scene.lights and hit = t.hit in
+  let lx = l.(at + 1) and ly = l.(at + 2) and lz = l.(at + 3) in
+  let cosine = (hit.nx *. lx) +. (hit.ny *. ly) +. (hit.nz *. lz) in
+  if cosine > 0. then (
+    Raw_ray.set_direction t.shadow_ray lx ly lz;
+    t.shadow_ray.reach <- infinity;
+    if not (is_blocked t at) then add_light t at cosine)
+
+let point_light t at =
+  let l = t.scene.lights and hit = t.hit and shadow = t.shadow_ray in
+  let lx = l.(at + 1) and ly = l.(at + 2) and lz = l.(at + 3) in
+  let wx = lx -. hit.x and wy = ly -. hit.y and wz = lz -. hit.z in
+  let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz) in
+  if facing > 0. then (
+    let vx = lx -. shadow.ox
+    and vy = ly -. shadow.oy
+    and vz = lz -. shadow.oz in
+    let way = sqrt ((vx *. vx) +. (vy *. vy) +. (vz *. vz)) in
+    let scale = 1. /. way in
+    Raw_ray.set_direction shadow (vx *. scale) (vy *. scale) (vz *. scale);
+    shadow.reach <- way -. hit.offset;
+    if not (is_blocked t at) then
+      let squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
+      add_light t at (facing /. (squared *. sqrt squared)))
+
+(* Puts the light that reaches the hit into its register. *)
+let gather_light t =
+  let l = t.scene.lights and hit = t.hit in
+  set t.light 0. 0. 0.;
+  Raw_ray.set_origin t.shadow_ray
+    (hit.x +. (hit.offset *. hit.nx))
+    (hit.y +. (hit.offset *. hit.ny))
+    (hit.z +. (hit.offset *. hit.nz));
+  let at = ref 0 in
+  while !at < Array.length l do
+    if l.(!at) > 0. then point_light t !at else directional_light t !at;
+    at := !at + light_size
+  done
+
+(* {1 Rays} *)
+
+(* Turns the ray into the one that the hit's surface mirrors. *)
+let reflect t =
+  let ray = t.ray and hit = t.hit in
+  let nx = hit.nx and ny = hit.ny and nz = hit.nz in
+  Raw_ray.set_origin ray
+    (hit.x +. (hit.offset *. nx))
+    (hit.y +. (hit.offset *. ny))
+    (hit.z +. (hit.offset *. nz));
+  let twice = 2. *. ((nx *. ray.dx) +. (ny *. ray.dy) +. (nz *. ray.dz)) in
+  let dx = ray.dx -. (twice *. nx)
+  and dy = ray.dy -. (twice *. ny)
+  and dz = ray.dz -. (twice *. nz) in
+  (* Rounding errors would add up along a chain of mirrors. The length is almost
+     1, where (3 - s) / 2 is as good as 1 / sqrt s. *)
+  let scale = 1.5 -. (0.5 *. ((dx *. dx) +. (dy *. dy) +. (dz *. dz))) in
+  Raw_ray.set_direction ray (dx *. scale) (dy *. scale) (dz *. scale);
+  ray.reach <- infinity
+
+(* Puts the colour of the ray, with [left] rays left in its chain, into the
+   register [color]. *)
+let rec trace t left =
+  let number = if left = 0 then Query.no_shape else t.query.nearest t.ray in
+  if number = Query.no_shape then
+    let { Color.r; g; b } = t.scene.source.background in
+    set t.color r g b
+  else (
+    t.tally.hits <- t.tally.hits + 1;
+    find_hit t number;
+    let o = t.scene.objects and at = object_size * number in
+    let er = o.(at + emission_at)
+    and eg = o.(at + emission_at + 1)
+    and eb = o.(at + emission_at + 2) in
+    let ar = o.(at + albedo_at)
+    and ag = o.(at + albedo_at + 1)
+    and ab = o.(at + albedo_at + 2) in
+    let mirror = o.(at + mirror_at) in
+    if ar > 0. || ag > 0. || ab > 0. then (
+      gather_light t;
+      let light = t.light in
+      set t.color
+        (er +. Saturate.limit (ar *. light.r))
+        (eg +. Saturate.limit (ag *. light.g))
+        (eb +. Saturate.limit (ab *. light.b)))
+    else set t.color er eg eb;
+    if mirror > 0. then (
+      let { r; g; b } = t.color in
+      if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
+      reflect t;
+      trace t (left - 1);
+      let seen = t.color in
+      set seen
+        (r +. Saturate.limit (mirror *. seen.r))
+        (g +. Saturate.limit (mirror *. seen.g))
+        (b +. Saturate.limit (mirror *. seen.b))))
+
+(* {1 Questions from outside} *)
+
+let load t (r : Ray.t) =
+  let r = (r :> Raw_ray.t) in
+  Raw_ray.set_origin t.ray r.ox r.oy r.oz;
+  Raw_ray.set_direction t.ray r.dx r.dy r.dz;
+  t.ray.reach <- r.reach
+
+let evaluate t =
+  trace t t.scene.source.ray_depth;
+  Color.make t.color.r t.color.g t.color.b
+
+let ray t r =
+  load t r;
+  evaluate t
+
+let pixel t ~x ~y =
+  t.tally.primary <- t.tally.primary + 1;
+  Camera.aim t.scene.source.camera ~x ~y t.ray;
+  evaluate t
+
+let nearest_hit t r =
+  load t r;
+  let number = t.query.nearest t.ray in
+  if number = Query.no_shape then None
+  else (
+    find_hit t number;
+    let { x; y; z; nx; ny; nz; offset } = t.hit in
+    Some
+      {
+        Hit.number;
+        t = t.ray.reach;
+        point = Vec3.make x y z;
+        normal = Direction.of_vec3_exn (Vec3.make nx ny nz);
+        offset;
+      })
+
+let light t { Hit.point = p; normal; offset; _ } =
+  let n = (normal :> Vec3.t) and hit = t.hit in
+  hit.x <- p.x;
+  hit.y <- p.y;
+  hit.z <- p.z;
+  hit.nx <- n.x;
+  hit.ny <- n.y;
+  hit.nz <- n.z;
+  hit.offset <- offset;
+  gather_light t;
+  Color.make t.light.r t.light.g t.light.b

@@ -1,0 +1,39 @@
+(** The inner loop: from a ray in a register to its colour.
+
+    This is the one place where the meaning of a scene is computed; {!Trace}
+    gives it a pure face. It keeps what it is at in registers, records of
+    mutable doubles, because in OCaml a double that crosses a function call or
+    lies in an ordinary record costs an allocation, and a picture has millions
+    of them. No register is seen outside. *)
+
+open Raylab_geometry
+open Raylab_scene
+
+type scene
+(** The type for scenes made ready: what the loop reads, as arrays of numbers.
+*)
+
+val prepare : index:(Shape.t array -> Query.index) -> Scene.t -> scene
+(** [prepare ~index scene] is [scene] made ready, with [index] to find hits. *)
+
+type t
+(** The type for evaluators: the registers that one domain works with. *)
+
+val create : scene -> t
+(** [create scene] is a new evaluator for [scene]. *)
+
+val tally : t -> Tally.t
+(** [tally t] is what [t] has done so far. *)
+
+val ray : t -> Ray.t -> Color.t
+(** [ray t r] is the colour of [r], with the scene's ray depth. It is not
+    counted as a primary ray. *)
+
+val pixel : t -> x:int -> y:int -> Color.t
+(** [pixel t ~x ~y] is the colour of the primary ray of pixel [(x, y)]. *)
+
+val nearest_hit : t -> Ray.t -> Hit.t option
+(** [nearest_hit t r] is the first hit of [r], if there is one. *)
+
+val light : t -> Hit.t -> Color.t
+(** [light t hit] is the light that reaches [hit]. *)

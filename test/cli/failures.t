@@ -1,0 +1,192 @@
+Pictures that cannot be written: exit status 2, an older file untouched, and
+nothing left behind.
+
+  $ unset DISPLAY
+  $ cat > sky.scene <<EOF
+  > imWidth 4   imHeight 3   canvWidth 4   canvHeight 3   depth 4
+  > bcolor 0.2 0.4 0.6
+  > lights spherical 20 white 0 3 3
+  > plane 0 -1 0  0 1 0   diffusive white
+  > EOF
+
+  $ raylab render sky.scene -o missing/sky.bmp
+  raylab: missing/sky.bmp: No such file or directory
+  [2]
+  $ mkdir dir
+  $ raylab render sky.scene -o dir
+  raylab: dir: is a directory
+  [2]
+  $ raylab render sky.scene -o dir/
+  raylab: dir/: is a directory
+  [2]
+  $ raylab render sky.scene -o new/
+  raylab: new/: Not a directory
+  [2]
+  $ raylab render sky.scene -o sky.scene/sky.bmp
+  raylab: sky.scene/sky.bmp: Not a directory
+  [2]
+  $ raylab render sky.scene -o /dev/full
+  raylab: /dev/full: No space left on device
+  [2]
+  $ raylab render sky.scene -o $(printf '%0300d' 0).bmp 2>&1 | grep -o '[^:]*$'
+   File name too long
+  $ mkdir sky.bmp
+  $ raylab sky.scene
+  raylab: sky.bmp: is a directory
+  [2]
+  $ rmdir sky.bmp
+
+A file that may not grow is like a full disk; here it may not even start. What
+fails then depends on the size and the format.
+
+  $ limited () {
+  >   (trap '' XFSZ; ulimit -f $1; shift; raylab "$@"; echo "[$?]") 2>&1 | cat
+  > }
+  $ for format in bmp ppm; do
+  >   echo older > old.$format
+  >   limited 0 render sky.scene -o old.$format
+  >   limited 0 render sky.scene -o new.$format
+  >   limited 4 render sky.scene -q --size 300x200 -o old.$format
+  >   limited 4 render sky.scene -q --size 300x200 -o new.$format
+  >   cat old.$format
+  > done
+  raylab: old.bmp: File too large
+  [2]
+  raylab: new.bmp: File too large
+  [2]
+  raylab: old.bmp: File too large
+  [2]
+  raylab: new.bmp: File too large
+  [2]
+  older
+  raylab: old.ppm: File too large
+  [2]
+  raylab: new.ppm: File too large
+  [2]
+  raylab: old.ppm: File too large
+  [2]
+  raylab: new.ppm: File too large
+  [2]
+  older
+
+A PNG fails in other words, which depend on who noticed.
+
+  $ echo older > old.png
+  $ for run in '0 render sky.scene' '4 render sky.scene --size 300x200'; do
+  >   for file in old.png new.png; do
+  >     limited $run -o $file | sed -n 's/^raylab: \([a-z]*.png:\) .*/\1/p; /^[[]/p'
+  >   done
+  > done
+  old.png:
+  [2]
+  new.png:
+  [2]
+  old.png:
+  [2]
+  new.png:
+  [2]
+  $ cat old.png
+  older
+
+Such a small picture can be written if there is room for it.
+
+  $ limited 4 render sky.scene -q -o new.png
+  [0]
+
+A picture for standard output is first made elsewhere, where there may be no
+room, or no place. Files are made where they belong.
+
+  $ mkdir tmp
+  $ TMPDIR=/missing raylab render sky.scene -o - 2> err | wc -c
+  0
+  $ grep -o '/missing' err
+  /missing
+  $ TMPDIR=$PWD/missing raylab render sky.scene -q -o new.bmp
+  $ TMPDIR=$PWD/tmp raylab render sky.scene -o - > /dev/full
+  raylab: standard output: No space left on device
+  [2]
+  $ ls -A tmp
+
+Nothing is left of the failures.
+
+  $ rm new.png new.bmp err
+  $ ls -A . dir
+  .:
+  dir
+  old.bmp
+  old.png
+  old.ppm
+  sky.scene
+  tmp
+  
+  dir:
+
+Too large
+---------
+
+A picture that cannot be made is refused at once, before there is room made for
+it.
+
+  $ sed 's/imWidth 4/imWidth 2000000000/' sky.scene > wide.scene
+  $ raylab wide.scene
+  raylab: a picture of 2000000000 x 3 pixels would take 16.8 GiB of memory; the limit is 4 GiB
+  [2]
+  $ sed 's/imHeight 3/imHeight 2000000000/' wide.scene > huge.scene
+  $ raylab huge.scene
+  raylab: a picture of 2000000000 x 2000000000 pixels would take 11175870895.4 GiB of memory; the limit is 4 GiB
+  [2]
+  $ raylab render sky.scene --size 2147483647x2147483647
+  raylab: a picture of 2147483647 x 2147483647 pixels would take 12884901876.0 GiB of memory; the limit is 4 GiB
+  [2]
+  $ raylab render sky.scene --size 30000x10 -o sky.png
+  raylab: a PNG of 30000 x 10 pixels is too large; the limit is 25000 a side. Use .bmp or .ppm
+  [2]
+
+Some rows of it are not too large, nor is a smaller size.
+
+  $ raylab render huge.scene --size 4x3 -q -o small.ppm
+  $ raylab render sky.scene -q -o same.ppm
+  $ cmp small.ppm same.ppm
+  $ raylab render sky.scene --size 3x2000000000 --rows 1999999999-1999999999 -o row.ppm
+  raylab: wrote row.ppm
+  $ tail -c 9 row.ppm | wc -c
+  9
+
+Interrupted
+-----------
+
+This picture, of two mirrors that face each other, would take hours. After a
+second it is interrupted, or ended in another way, and no file is there, new or
+half; an older one is what it was.
+
+  $ mkdir long && cd long
+  $ cat > hall.scene <<EOF
+  > imWidth 640   imHeight 480   canvWidth 4   canvHeight 3   depth 4
+  > raydepth 1000000
+  > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
+  > EOF
+  $ end_by () {
+  >   timeout --preserve-status -k 20 -s $1 1 raylab render hall.scene -j 2 -o $2
+  > }
+  $ echo older > old.bmp
+  $ end_by INT old.bmp
+  [130]
+  $ end_by TERM old.bmp
+  [143]
+  $ end_by HUP new.ppm || test $? -gt 128
+  $ cat old.bmp
+  older
+  $ ls -A
+  hall.scene
+  old.bmp
+
+One that waits for its reader is interrupted too, and leaves nothing where it
+had made the picture.
+
+  $ mkfifo pipe && mkdir tmp
+  $ for signal in INT TERM HUP; do
+  >   TMPDIR=$PWD/tmp timeout --preserve-status -k 20 -s $signal 1 \
+  >     raylab render ../sky.scene --size 640x480 -o - <> pipe >&0
+  >   test $? -gt 128 || echo "not ended by $signal"
+  > done
+  $ ls -A tmp

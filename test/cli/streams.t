@@ -1,0 +1,97 @@
+Standard input and output in the place of files.
+
+  $ unset DISPLAY
+  $ cat > sky.scene <<EOF
+  > imWidth 2   imHeight 1   canvWidth 2   canvHeight 1   depth 1
+  > bcolor 0.2 0.4 0.6
+  > plane 0 0 1  1 0 0   luminous white
+  > EOF
+  $ raylab render sky.scene -q
+
+"-o -" is standard output, as BMP. There is nothing there but the picture, also
+if much is said.
+
+  $ raylab render sky.scene -o - > out.bmp
+  $ cmp sky.bmp out.bmp
+  $ raylab render sky.scene --stats -j 2 -o - 2> err > out.bmp
+  $ cmp sky.bmp out.bmp
+  $ grep -c rays err
+  5
+
+Without the command too.
+
+  $ raylab sky.scene -o - | cmp - sky.bmp
+
+"-" is standard input. Its scene has no name after which a picture could be
+called, so there must be one.
+
+  $ raylab render - -o in.bmp < sky.scene
+  raylab: wrote in.bmp
+  $ cmp sky.bmp in.bmp
+  $ raylab - -o in.ppm < sky.scene
+  raylab: wrote in.ppm
+  $ cat sky.scene | raylab render - -o - | cmp - sky.bmp
+  $ raylab render - < sky.scene
+  raylab: a scene from standard input has no name to call its picture after: say where it goes with -o
+  [124]
+  $ raylab - < sky.scene
+  raylab: a scene from standard input has no name to call its picture after: say where it goes with -o
+  [124]
+
+An error in it has a place too.
+
+  $ echo 'imWidth none' | raylab render - -o - > out 2> err
+  [1]
+  $ head -n 1 err
+  <standard input>:1:9-12: error: 'none' is not a number
+  $ wc -c < out
+  0
+
+A file can be called "-".
+
+  $ raylab render sky.scene -o ./-
+  raylab: wrote ./-
+  $ cp sky.scene ./-
+  $ raylab render ./- -o - | cmp - sky.bmp
+
+A reader that does not want all of the picture ends the run with an error, not
+with a signal. The picture must be larger than what a pipe holds.
+
+  $ { raylab render sky.scene --size 640x480 -o - 2> err; echo $? > code; } |
+  >   head -c 1
+  B
+  $ cat code err
+  2
+  raylab: standard output: Broken pipe
+
+So do a closed standard output, and a full one. There may be scene errors to
+tell all the same.
+
+  $ raylab render sky.scene -o - >&-
+  raylab: standard output: Bad file descriptor
+  [2]
+  $ raylab render sky.scene -o - > /dev/full
+  raylab: standard output: No space left on device
+  [2]
+  $ raylab render sky.scene --size 640x480 -o - > /dev/full
+  raylab: standard output: No space left on device
+  [2]
+  $ raylab check missing.scene >&-
+  missing.scene: error: No such file or directory
+  [1]
+
+A picture for a file needs neither of the two.
+
+  $ raylab render sky.scene -o a.bmp <&- >&-
+  raylab: wrote a.bmp
+  $ cmp a.bmp sky.bmp
+
+Nor does it need standard error.
+
+  $ raylab render sky.scene -o b.bmp --stats 2>&-
+  $ raylab render sky.scene -o c.bmp --stats 2> /dev/full
+  $ cmp b.bmp sky.bmp && cmp c.bmp sky.bmp
+  $ raylab check missing.scene 2>&-
+  [1]
+  $ raylab check missing.scene 2> /dev/full
+  [1]

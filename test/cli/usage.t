@@ -1,0 +1,389 @@
+Wrong command lines, which end with exit status 124, and right ones for help.
+
+  $ cat > a.scene <<EOF
+  > imWidth 4   imHeight 3   canvWidth 4   canvHeight 3   depth 4
+  > plane 0 0 6 0 0 1 luminous red
+  > EOF
+  $ cp a.scene b.scene
+
+What is wrong is told before the usage, which is left out here.
+
+  $ usage () {
+  >   raylab "$@" > out 2> err; code=$?
+  >   cat out; sed '/^Usage:/,$d' err; return $code
+  > }
+
+Commands: none, unknown, misspelt, too many scenes.
+
+  $ usage
+  raylab: required argument SCENE is missing
+  [124]
+  $ usage rander a.scene
+  raylab: unknown command 'rander', did you mean 'render'?
+  [124]
+  $ usage chek
+  raylab: unknown command 'chek', did you mean 'check'?
+  [124]
+  $ usage no_such_command_or_file
+  raylab: unknown command 'no_such_command_or_file', must be either 'check' or 'render'.
+  [124]
+  $ usage render
+  raylab: required argument SCENE is missing
+  [124]
+  $ usage check
+  raylab: required argument SCENE is missing
+  [124]
+  $ usage a.scene b.scene
+  raylab: too many arguments, don't know what to do with 'b.scene'
+  [124]
+  $ usage render a.scene b.scene
+  raylab: too many arguments, don't know what to do with 'b.scene'
+  [124]
+
+Options: unknown, without a value, twice.
+
+  $ usage render a.scene --sise 3x3
+  raylab: unknown option '--sise', did you mean '--size'?
+  [124]
+  $ usage render a.scene -z
+  raylab: unknown option '-z'.
+  [124]
+  $ usage render a.scene -o
+  raylab: option '-o' needs an argument
+  [124]
+  $ usage render a.scene -o a.bmp -o b.bmp
+  raylab: option '-o' cannot be repeated
+  [124]
+  $ usage check a.scene -j 2
+  raylab: unknown option '-j'.
+  [124]
+
+Domains:
+
+  $ usage render a.scene -j 0
+  raylab: option '-j': '0' is not a number of domains from 1 to 128
+  [124]
+  $ usage render a.scene -j 1000
+  raylab: option '-j': '1000' is not a number of domains from 1 to 128
+  [124]
+  $ usage render a.scene -j -1
+  raylab: unknown option '-1'.
+  [124]
+  $ usage render a.scene -j two
+  raylab: option '-j': 'two' is not a number of domains from 1 to 128
+  [124]
+  $ usage render a.scene -j 99999999999999999999
+  raylab: option '-j': '99999999999999999999' is not a number of domains from 1
+          to 128
+  [124]
+
+Size:
+
+  $ usage render a.scene --size 0x10
+  raylab: option '--size': '0x10' is not a size: expected width and height in
+          pixels, such as 640x480
+  [124]
+  $ usage render a.scene --size 10
+  raylab: option '--size': '10' is not a size: expected width and height in
+          pixels, such as 640x480
+  [124]
+  $ usage render a.scene --size 10x
+  raylab: option '--size': '10x' is not a size: expected width and height in
+          pixels, such as 640x480
+  [124]
+  $ usage render a.scene --size 1x2x3
+  raylab: option '--size': '1x2x3' is not a size: expected width and height in
+          pixels, such as 640x480
+  [124]
+  $ usage render a.scene --size 1e3x2
+  raylab: option '--size': '1e3x2' is not a size: expected width and height in
+          pixels, such as 640x480
+  [124]
+  $ usage render a.scene --size 99999999999999999999x1
+  raylab: option '--size': '99999999999999999999x1' is not a size: expected
+          width and height in pixels, such as 640x480
+  [124]
+
+Rows:
+
+  $ usage render a.scene --rows 2-1
+  raylab: option '--rows': '2-1' is not a band of rows: expected the first and
+          the last, such as 0-99
+  [124]
+  $ usage render a.scene --rows 1
+  raylab: option '--rows': '1' is not a band of rows: expected the first and
+          the last, such as 0-99
+  [124]
+  $ usage render a.scene --rows -1-2
+  raylab: unknown option '-1'.
+  [124]
+  $ usage render a.scene --rows 1-3
+  raylab: option --rows: the picture has no row 3; its rows are 0 to 2
+  [124]
+  $ usage render a.scene --rows 0-99999999999999999999
+  raylab: option '--rows': '0-99999999999999999999' is not a band of rows:
+          expected the first and the last, such as 0-99
+  [124]
+  $ usage render a.scene --size 9x8 --rows 8-8
+  raylab: option --rows: the picture has no row 8; its rows are 0 to 7
+  [124]
+
+An output that is no picture, or that is the scene itself, by whatever name:
+
+  $ usage render a.scene -o a.gif
+  raylab: a.gif: there is no picture format '.gif'; use .bmp, .png or .ppm
+  [124]
+  $ usage render a.scene -o a.scene
+  raylab: a.scene is the scene; the picture would replace it
+  [124]
+  $ usage render a.scene -o ./a.scene
+  raylab: ./a.scene is the scene; the picture would replace it
+  [124]
+  $ ln -s a.scene soft.bmp
+  $ usage render a.scene -o soft.bmp
+  raylab: soft.bmp is the scene; the picture would replace it
+  [124]
+  $ ln a.scene hard.bmp
+  $ usage render a.scene -o hard.bmp
+  raylab: hard.bmp is the scene; the picture would replace it
+  [124]
+  $ cp a.scene picture.bmp
+  $ usage picture.bmp
+  raylab: picture.bmp is the scene; the picture would replace it
+  [124]
+  $ cmp a.scene b.scene && cmp picture.bmp b.scene
+
+Nothing was written by any of these.
+
+  $ ls -A
+  a.scene
+  b.scene
+  err
+  hard.bmp
+  out
+  picture.bmp
+  soft.bmp
+
+The whole of what is printed:
+
+  $ raylab render a.scene --size 0x10
+  raylab: option '--size': '0x10' is not a size: expected width and height in
+          pixels, such as 640x480
+  Usage: raylab render [OPTION]… SCENE
+  Try 'raylab render --help' or 'raylab --help' for more information.
+  [124]
+
+Help and version go to standard output. A version is no place-holder.
+
+  $ raylab --version | grep '%%'
+  [1]
+  $ raylab --help=plain
+  NAME
+         raylab - a ray tracer that can explain itself
+  
+  SYNOPSIS
+         raylab [COMMAND] …
+  
+  DESCRIPTION
+         raylab renders a scene, described by a short text file, by ray
+         tracing.
+  
+         raylab SCENE, without the name of a command, renders SCENE and saves
+         the picture beside it, under its name with .bmp.
+  
+  COMMANDS
+         check [OPTION]… SCENE…
+             report the errors and warnings of scenes
+  
+         render [OPTION]… SCENE
+             render a scene to a picture file
+  
+  ARGUMENTS
+         SCENE (required)
+             The scene file, or - for standard input.
+  
+  OPTIONS
+         --grey, --gray
+             Render in greyscale: take every colour of the scene by its
+             luminance.
+  
+         -j DOMAINS, --domains=DOMAINS
+             Render on DOMAINS domains at once, by default one for each core.
+             The picture is the same, byte for byte.
+  
+         -o OUT, --output=OUT
+             Write the picture to OUT. Its extension says in which format:
+             .bmp, .png or .ppm; without extension it is BMP. - is standard
+             output, in BMP. By default the picture goes beside the scene,
+             under its name with .bmp; a picture that is already there is
+             replaced.
+  
+         -q, --quiet
+             Print neither progress nor where the picture went.
+  
+         --rows=A-B
+             Render only rows A-B, both included, counted from 0 at the top.
+             The picture holds just these rows.
+  
+         --size=WxH
+             Make the picture WxH pixels large, whatever the scene says. It
+             shows the same canvas, stretched if its proportions differ.
+  
+         --stats
+             Print the rays by kind, hits, time and rays per second to standard
+             error.
+  
+  COMMON OPTIONS
+         --help[=FMT] (default=auto)
+             Show this help in format FMT. The value FMT must be one of auto,
+             pager, groff or plain. With auto, the format is pager or plain
+             whenever the TERM env var is dumb or undefined.
+  
+         --version
+             Show version information.
+  
+  EXIT STATUS
+         raylab exits with:
+  
+         0   on success.
+  
+         1   if the scene is in error or cannot be read.
+  
+         2   if the picture could not be written.
+  
+         124 if the command line is wrong.
+  
+         125 on an error of raylab itself.
+  
+         129 if the terminal went away; nothing is written then.
+  
+         130 if interrupted by Ctrl-C; nothing is written then.
+  
+         143 if ended by a signal; nothing is written then.
+  
+  $ raylab render --help=plain
+  NAME
+         raylab-render - render a scene to a picture file
+  
+  SYNOPSIS
+         raylab render [OPTION]… SCENE
+  
+  DESCRIPTION
+         Renders SCENE and writes the picture to a file, which appears whole or
+         not at all.
+  
+         While it works, and if standard error is a terminal, it shows how far
+         it is and how long the rest will take.
+  
+  ARGUMENTS
+         SCENE (required)
+             The scene file, or - for standard input.
+  
+  OPTIONS
+         --grey, --gray
+             Render in greyscale: take every colour of the scene by its
+             luminance.
+  
+         -j DOMAINS, --domains=DOMAINS
+             Render on DOMAINS domains at once, by default one for each core.
+             The picture is the same, byte for byte.
+  
+         -o OUT, --output=OUT
+             Write the picture to OUT. Its extension says in which format:
+             .bmp, .png or .ppm; without extension it is BMP. - is standard
+             output, in BMP. By default the picture goes beside the scene,
+             under its name with .bmp; a picture that is already there is
+             replaced.
+  
+         -q, --quiet
+             Print neither progress nor where the picture went.
+  
+         --rows=A-B
+             Render only rows A-B, both included, counted from 0 at the top.
+             The picture holds just these rows.
+  
+         --size=WxH
+             Make the picture WxH pixels large, whatever the scene says. It
+             shows the same canvas, stretched if its proportions differ.
+  
+         --stats
+             Print the rays by kind, hits, time and rays per second to standard
+             error.
+  
+  COMMON OPTIONS
+         --help[=FMT] (default=auto)
+             Show this help in format FMT. The value FMT must be one of auto,
+             pager, groff or plain. With auto, the format is pager or plain
+             whenever the TERM env var is dumb or undefined.
+  
+         --version
+             Show version information.
+  
+  EXIT STATUS
+         raylab render exits with:
+  
+         0   on success.
+  
+         1   if the scene is in error or cannot be read.
+  
+         2   if the picture could not be written.
+  
+         124 if the command line is wrong.
+  
+         125 on an error of raylab itself.
+  
+         129 if the terminal went away; nothing is written then.
+  
+         130 if interrupted by Ctrl-C; nothing is written then.
+  
+         143 if ended by a signal; nothing is written then.
+  
+  SEE ALSO
+         raylab(1)
+  
+  $ raylab check --help=plain
+  NAME
+         raylab-check - report the errors and warnings of scenes
+  
+  SYNOPSIS
+         raylab check [OPTION]… SCENE…
+  
+  DESCRIPTION
+         Reads each SCENE and prints every error and warning to standard error.
+         Renders nothing. Warnings do not change the exit status.
+  
+  ARGUMENTS
+         SCENE (required)
+             The scene files, or - for standard input.
+  
+  COMMON OPTIONS
+         --help[=FMT] (default=auto)
+             Show this help in format FMT. The value FMT must be one of auto,
+             pager, groff or plain. With auto, the format is pager or plain
+             whenever the TERM env var is dumb or undefined.
+  
+         --version
+             Show version information.
+  
+  EXIT STATUS
+         raylab check exits with:
+  
+         0   on success.
+  
+         1   if the scene is in error or cannot be read.
+  
+         2   if the picture could not be written.
+  
+         124 if the command line is wrong.
+  
+         125 on an error of raylab itself.
+  
+         129 if the terminal went away; nothing is written then.
+  
+         130 if interrupted by Ctrl-C; nothing is written then.
+  
+         143 if ended by a signal; nothing is written then.
+  
+  SEE ALSO
+         raylab(1)
+  

@@ -1,0 +1,171 @@
+(* The scenes of the gallery and their golden pictures. At the top of the
+   repository:
+
+   golden compare          is what the tests do
+   golden accept [NAME...] makes new golden pictures of these scenes, or of all
+                           whose pictures have changed *)
+
+open Raylab_scene
+open Raylab_language
+open Raylab_tracer
+open Raylab_picture
+
+let scenes = "scenes"
+let goldens = Filename.concat "test" "gallery"
+let index = Filename.concat goldens "README.md"
+
+(* Where [compare] puts the pictures that are not as they were. *)
+let news = Filename.concat goldens "new"
+let scene_file name = Filename.concat scenes (name ^ ".scene")
+let picture_file dir name = Filename.concat dir (name ^ ".png")
+let golden_file = picture_file goldens
+
+let names dir extension =
+  Sys.readdir dir |> Array.to_list
+  |> List.filter (fun file -> Filename.extension file = extension)
+  |> List.map Filename.remove_extension
+  |> List.sort String.compare
+
+(* Tells what is wrong, and goes on: all of it is wanted at once. *)
+let failed = ref false
+
+let fail format =
+  failed := true;
+  Printf.eprintf (format ^^ "\n%!")
+
+(* {1 Rendering} *)
+
+(* Large enough to see what there is, small enough for a repository. *)
+let width = 160
+
+let small (camera : Camera.t) =
+  let shape = float_of_int camera.height /. float_of_int camera.width in
+  let height = Int.max 1 (Float.to_int (Float.round (float width *. shape))) in
+  Camera.with_size ~width ~height camera
+
+let render name =
+  match Scene_file.load (scene_file name) with
+  | Ok scene ->
+      let scene = Scene.with_camera (small scene.camera) scene in
+      Some (fst (Render.picture (Trace.prepare scene)))
+  | Error errors ->
+      List.iter
+        (fun error -> fail "%s" (Format.asprintf "%a" Scene_error.pp error))
+        errors;
+      None
+
+let save path picture =
+  match Picture_file.save Png ~path picture with
+  | Ok () ->
+      (* in full, since the tests run in the build directory *)
+      Printf.eprintf "wrote %s\n%!" (Filename.concat (Sys.getcwd ()) path)
+  | Error message -> fail "%s" message
+
+(* {1 Comparing} *)
+
+(* PNG files are compared by what they show: other versions of the library that
+   writes them may pack it in another way. *)
+let load_golden name =
+  match Png.load (golden_file name) [] with
+  | Images.Rgb24 image -> Some image
+  | _ | (exception (Failure _ | Sys_error _)) -> None
+
+type difference = { pixels : int; most : int; x : int; y : int }
+
+let pixel rgb k =
+  let byte i = Bytes.get_uint8 rgb ((3 * k) + i) in
+  (byte 0, byte 1, byte 2)
+
+let distance (r, g, b) (r', g', b') =
+  Int.max (Int.abs (r - r')) (Int.max (Int.abs (g - g')) (Int.abs (b - b')))
+
+(* [difference ~width a b] is how far the pixels of [a] and [b] are apart, and
+   the first place where they are. *)
+let difference ~width a b =
+  let add found k =
+    match (distance (pixel a k) (pixel b k), found) with
+    | 0, _ -> found
+    | d, None -> Some { pixels = 1; most = d; x = k mod width; y = k / width }
+    | d, Some f ->
+        Some { f with pixels = f.pixels + 1; most = Int.max f.most d }
+  in
+  Seq.fold_left add None (Seq.init (Bytes.length a / 3) Fun.id)
+
+let complaint name picture =
+  let width = Picture.width picture and height = Picture.height picture in
+  if not (Sys.file_exists (golden_file name)) then
+    Some "it has no golden picture"
+  else
+    match load_golden name with
+    | None -> Some (golden_file name ^ " is no PNG of 24 bits a pixel")
+    | Some golden when golden.Rgb24.width <> width || golden.height <> height ->
+        Some
+          (Printf.sprintf "the picture has %d x %d pixels, the golden %d x %d"
+             width height golden.width golden.height)
+    | Some golden ->
+        let rgb = Picture.to_rgb picture and old = Rgb24.dump golden in
+        let tell { pixels; most; x; y } =
+          let k = (y * width) + x in
+          let show (r, g, b) = Printf.sprintf "%d %d %d" r g b in
+          Printf.sprintf
+            "%d of %d pixels differ, by up to %d of 255; the first is (%d, \
+             %d), which is %s and was %s"
+            pixels (width * height) most x y
+            (show (pixel rgb k))
+            (show (pixel old k))
+        in
+        Option.map tell (difference ~width rgb old)
+
+let compare_one name =
+  let check picture =
+    match complaint name picture with
+    | None -> ()
+    | Some complaint ->
+        fail "%s: %s" (scene_file name) complaint;
+        if not (Sys.file_exists news) then Sys.mkdir news 0o777;
+        save (picture_file news name) picture;
+        Printf.eprintf
+          "Look at it. If it is right, make it the golden picture:\n\
+          \  dune exec test/gallery/golden.exe accept %s\n\
+           %!"
+          name
+  in
+  Option.iter check (render name)
+
+let check_index text name =
+  let entry = Printf.sprintf "[%s](" name in
+  let length = String.length entry in
+  let is_at i = String.sub text i length = entry in
+  if not (Seq.exists is_at (Seq.init (String.length text - length) Fun.id)) then
+    fail "%s: %s does not say what to look for in it: add %s%s.png)"
+      (scene_file name) index entry name
+
+let compare_all () =
+  let known = names scenes ".scene" in
+  List.iter compare_one known;
+  List.iter
+    (check_index (In_channel.with_open_bin index In_channel.input_all))
+    known;
+  List.iter
+    (fun name ->
+      if not (List.mem name known) then
+        fail "%s: there is no %s; remove it" (golden_file name)
+          (scene_file name))
+    (names goldens ".png")
+
+(* {1 Accepting} *)
+
+(* What has not changed keeps its file, however it is packed. *)
+let accept name =
+  let check picture =
+    if complaint name picture <> None then save (golden_file name) picture
+  in
+  Option.iter check (render name)
+
+let () =
+  (match List.tl (Array.to_list Sys.argv) with
+  | [ "compare" ] -> compare_all ()
+  | [ "accept" ] -> List.iter accept (names scenes ".scene")
+  | "accept" :: names -> List.iter accept names
+  | _ -> fail "usage: golden compare | golden accept [NAME...]");
+  if !failed then exit 1
