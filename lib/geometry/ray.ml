@@ -9,7 +9,9 @@ let make ~origin ~direction = flat origin direction infinity
 let towards ~origin ~target ~short =
   let way = Vec3.sub target origin in
   let with_direction direction =
-    flat origin direction (Vec3.length way -. short)
+    (* the length of [way], but squaring that might overflow *)
+    let length = Vec3.dot way (direction : Direction.t :> Vec3.t) in
+    flat origin direction (length -. short)
   in
   Option.map with_direction (Direction.of_vec3 way)
 

@@ -42,7 +42,7 @@ let intersections { cx; cy; cz; radius } (ray : Ray.t) =
   let ray = (ray :> Raw_ray.t) in
   let middle = middle cx cy cz ray in
   let discriminant = discriminant cx cy cz radius ray middle in
-  if discriminant >= 0. then
+  if discriminant >= 0. && discriminant < infinity then
     let half = sqrt discriminant in
     [ middle -. half; middle +. half ]
   else []

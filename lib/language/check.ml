@@ -93,7 +93,7 @@ let keyword = function
 let required = [ "imWidth"; "imHeight"; "canvWidth"; "canvHeight"; "depth" ]
 
 let check_whole report name ~least ~most { Syntax.value; span } =
-  let text = Source.quote report.source span in
+  let text = Source.slice report.source span in
   let is_digit c = '0' <= c && c <= '9' in
   let digits =
     match text.[0] with
@@ -107,7 +107,9 @@ let check_whole report name ~least ~most { Syntax.value; span } =
       && value >= float_of_int least
       && value <= float_of_int most)
   then
-    error report span (Printf.sprintf "%s must be %s, not %s" name number text)
+    error report span
+      (Printf.sprintf "%s must be %s, not %s" name number
+         (Source.quote report.source span))
 
 let check_setting report = function
   | Syntax.Image_width n ->

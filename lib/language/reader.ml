@@ -1,28 +1,13 @@
 module Engine = Slow_parser.MenhirInterpreter
 
-let byte_order_mark = "\xef\xbb\xbf"
-
 (* Feeding the text in pieces spares a second copy of a large one. *)
 let lexbuf source =
-  let text = Source.text source in
-  let next =
-    ref
-      (if String.starts_with ~prefix:byte_order_mark text then
-         String.length byte_order_mark
-       else 0)
-  in
-  let skipped = !next in
-  let refill buffer wanted =
-    let length = Int.min wanted (String.length text - !next) in
-    Bytes.blit_string text !next buffer 0 length;
-    next := !next + length;
-    length
-  in
-  let lexbuf = Lexing.from_function refill in
-  Lexing.set_position lexbuf
-    { Lexing.dummy_pos with pos_lnum = 1; pos_cnum = skipped };
-  lexbuf.lex_abs_pos <- skipped;
-  lexbuf
+  let text = Source.text source and next = ref 0 in
+  Lexing.from_function (fun buffer wanted ->
+      let length = Int.min wanted (String.length text - !next) in
+      Bytes.blit_string text !next buffer 0 length;
+      next := !next + length;
+      length)
 
 let keywords_among acceptable =
   List.filter_map

@@ -28,7 +28,15 @@ let find_line_starts text =
   String.iteri (fun i c -> if c = '\n' then starts := (i + 1) :: !starts) text;
   Array.of_list (List.rev !starts)
 
+let byte_order_mark = "\xef\xbb\xbf"
+
 let make ~name text =
+  let text =
+    if String.starts_with ~prefix:byte_order_mark text then
+      let n = String.length byte_order_mark in
+      String.sub text n (String.length text - n)
+    else text
+  in
   { name = printable name; text; line_starts = lazy (find_line_starts text) }
 
 let name source = source.name
@@ -46,12 +54,16 @@ let line_at source offset =
   in
   search 0 (Array.length starts)
 
-(* Where the line that starts at [start] ends, its line end left out. *)
-let line_stop source start =
+(* Where the line of this number, counted from 0, starts. *)
+let line_start source line = (Lazy.force source.line_starts).(line)
+
+(* Where it ends, its line end left out. *)
+let line_stop source line =
+  let starts = Lazy.force source.line_starts in
+  let start = starts.(line) in
   let stop =
-    Option.value
-      (String.index_from_opt source.text start '\n')
-      ~default:(String.length source.text)
+    if line + 1 < Array.length starts then starts.(line + 1) - 1
+    else String.length source.text
   in
   if stop > start && source.text.[stop - 1] = '\r' then stop - 1 else stop
 
@@ -59,18 +71,20 @@ type place = { line : int; first : int; last : int }
 
 let place source span =
   let line = line_at source (Span.start span) in
-  let start = (Lazy.force source.line_starts).(line) in
+  let start = line_start source line in
   let first = Span.start span - start + 1 in
-  let stop = Int.min (Span.stop span) (line_stop source start) in
+  let stop = Int.min (Span.stop span) (line_stop source line) in
   { line = line + 1; first; last = Int.max first (stop - start) }
 
 let longest_quote = 40
 
+let slice source span =
+  let start = Span.start span in
+  String.sub source.text start (Span.stop span - start)
+
 let quote source span =
   let start = Span.start span in
-  let length = Span.stop span - start in
-  if length <= longest_quote then
-    printable (String.sub source.text start length)
+  if Span.stop span - start <= longest_quote then printable (slice source span)
   else printable (String.sub source.text start longest_quote) ^ "..."
 
 let word source span k =
@@ -96,10 +110,8 @@ let characters text =
   String.fold_left count 0 text
 
 let excerpt source span =
-  let start =
-    (Lazy.force source.line_starts).(line_at source (Span.start span))
-  in
-  let stop = line_stop source start in
+  let line = line_at source (Span.start span) in
+  let start = line_start source line and stop = line_stop source line in
   let from, until =
     if stop - start <= widest_excerpt then (start, stop)
     else
@@ -107,11 +119,10 @@ let excerpt source span =
       (from, Int.min stop (from + widest_excerpt))
   in
   let piece a b = printable (String.sub source.text a (Int.max 0 (b - a))) in
-  let before =
-    if from > start then "..." ^ piece from (Span.start span)
-    else piece from (Span.start span)
-  in
-  let marked = piece (Span.start span) (Int.min until (Span.stop span)) in
-  let after = piece (Int.min until (Span.stop span)) until in
-  let after = if until < stop then after ^ "..." else after in
+  let cut_before = if from > start then "..." else ""
+  and cut_after = if until < stop then "..." else ""
+  and marked_stop = Int.min until (Span.stop span) in
+  let before = cut_before ^ piece from (Span.start span)
+  and marked = piece (Span.start span) marked_stop
+  and after = piece marked_stop until ^ cut_after in
   (before ^ marked ^ after, characters before, Int.max 1 (characters marked))

@@ -4,7 +4,8 @@ type t
 (** The type for source texts. *)
 
 val make : name:string -> string -> t
-(** [make ~name text] is the source [text]. [name] is what errors call it. *)
+(** [make ~name text] is the source [text], without the byte-order mark that it
+    may start with. [name] is what errors call it. *)
 
 val name : t -> string
 (** [name source] is its name, with {!printable} characters only. *)
@@ -22,6 +23,9 @@ type place = {
 val place : t -> Span.t -> place
 (** [place source span] is where [span] is. An empty span, or one that goes on
     in another line, gets at least one column of its first line. *)
+
+val slice : t -> Span.t -> string
+(** [slice source span] is the text of [span], byte for byte. *)
 
 val quote : t -> Span.t -> string
 (** [quote source span] is the text of [span], {!printable} and shortened where

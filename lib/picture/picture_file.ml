@@ -151,17 +151,25 @@ let umask () =
   ignore (Unix.umask mask);
   mask
 
+let save_new format path picture =
+  save_beside format path ~permissions:(0o666 land lnot (umask ())) picture
+
+let rec save_exn format path picture =
+  match Unix.stat path with
+  | { st_kind = S_REG; st_perm; _ } ->
+      Unix.access path [ W_OK ];
+      save_beside format (Unix.realpath path) ~permissions:st_perm picture
+  | { st_kind = S_DIR; _ } -> raise (Sys_error "is a directory")
+  | _ ->
+      Out_channel.with_open_bin path (fun channel ->
+          output_exn format channel picture)
+  | exception Unix.Unix_error (ENOENT, _, _) -> (
+      match Unix.readlink path with
+      | target when Filename.is_relative target ->
+          let beside = Filename.concat (Filename.dirname path) target in
+          save_exn format beside picture
+      | target -> save_exn format target picture
+      | exception Unix.Unix_error _ -> save_new format path picture)
+
 let save format ~path picture =
-  reporting path (fun () ->
-      match Unix.stat path with
-      | { st_kind = S_REG; st_perm; _ } ->
-          Unix.access path [ W_OK ];
-          save_beside format (Unix.realpath path) ~permissions:st_perm picture
-      | { st_kind = S_DIR; _ } -> raise (Sys_error "is a directory")
-      | _ ->
-          Out_channel.with_open_bin path (fun channel ->
-              output_exn format channel picture)
-      | exception Unix.Unix_error (ENOENT, _, _) ->
-          save_beside format path
-            ~permissions:(0o666 land lnot (umask ()))
-            picture)
+  reporting path (fun () -> save_exn format path picture)

@@ -81,5 +81,7 @@ let rec pp ppf = function
         Format.fprintf ppf "%a %a" Number.pp weight pp surface
       in
       Format.fprintf ppf "mixed %a"
-        (Format.pp_print_list ~pp_sep:Format.pp_print_space pp_part)
+        (Format.pp_print_list
+           ~pp_sep:(fun ppf () -> Format.pp_print_char ppf ' ')
+           pp_part)
         parts

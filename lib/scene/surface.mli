@@ -20,8 +20,8 @@ val luminous : Color.t -> t
 val mixed : (float * t) list -> t
 (** [mixed parts] is the mix of [parts], each a weight and a surface. A mix
     among them that is not the last is replaced by its own parts, with their
-    weights multiplied by its weight: the scene language cannot write it in any
-    other way, and the meaning is the same. *)
+    weights multiplied by its weight: the scene language cannot write in any
+    other way, and the meaning is the same as far as doubles reach. *)
 
 (** {1 Meaning} *)
 

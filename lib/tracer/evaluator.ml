@@ -87,6 +87,7 @@ type color = { mutable r : float; mutable g : float; mutable b : float }
 
 type t = {
   scene : scene;
+  observe : (Event.t -> unit) option;
   query : Query.t;
   tally : Tally.t;
   ray : Raw_ray.t;
@@ -96,10 +97,11 @@ type t = {
   color : color;
 }
 
-let create scene =
+let create ?observe scene =
   let black () = { r = 0.; g = 0.; b = 0. } in
   {
     scene;
+    observe;
     query = scene.index ();
     tally = Tally.create ();
     ray = Raw_ray.create ();
@@ -115,6 +117,8 @@ let[@inline] set color r g b =
   color.r <- Saturate.limit r;
   color.g <- Saturate.limit g;
   color.b <- Saturate.limit b
+
+let color_of ({ r; g; b } : color) = Color.make r g b
 
 (* {1 Hits} *)
 
@@ -167,23 +171,65 @@ let find_hit t number =
     else set_hit t x y z ray.dx ray.dy ray.dz radius
   else set_hit t x y z cx cy cz 0.
 
+let hit_of t number =
+  let { x; y; z; nx; ny; nz; offset } = t.hit in
+  {
+    Hit.number = number + 1;
+    t = t.ray.reach;
+    point = Vec3.make x y z;
+    normal = Direction.of_vec3_exn (Vec3.make nx ny nz);
+    offset;
+  }
+
 (* {1 Light} *)
 
-let is_blocked t slot =
+let number_of_light at = (at / light_size) + 1
+
+(* What blocks the shadow ray is of interest to an observer only. *)
+let tell_blocker observe t at =
+  let shadow = t.shadow_ray in
+  let by = t.query.nearest shadow + 1 in
+  let ray = Ray.of_raw shadow in
+  let point = Ray.at ray shadow.reach in
+  observe
+    (Event.Blocked { light = number_of_light at; by; t = shadow.reach; point })
+
+(* Whether something is in the way of the light at [at]. *)
+let is_blocked t at =
   let tally = t.tally in
   tally.shadow <- tally.shadow + 1;
-  let blocked = t.query.blocked slot t.shadow_ray in
-  if blocked then tally.blocked <- tally.blocked + 1;
+  (match t.observe with
+  | None -> ()
+  | Some observe ->
+      let ray = Ray.of_raw t.shadow_ray in
+      observe (Shadow_ray { light = number_of_light at; ray }));
+  let blocked = t.query.blocked at t.shadow_ray in
+  if blocked then (
+    tally.blocked <- tally.blocked + 1;
+    match t.observe with
+    | None -> ()
+    | Some observe -> tell_blocker observe t at);
   blocked
 
-(* [add_light t at k] adds [k] times the power of the light at [at]. *)
-let[@inline] add_light t at k =
+let tell_facing_away t at cosine =
+  match t.observe with
+  | None -> ()
+  | Some observe -> observe (Faces_away { light = number_of_light at; cosine })
+
+(* Adds what the light at [at] gives: cosine * falloff * power. *)
+let[@inline] add_light t at cosine falloff =
   let l = t.scene.lights and sum = t.light in
-  let k = Saturate.limit k in
-  set sum
-    (sum.r +. Saturate.limit (k *. l.(at + 4)))
-    (sum.g +. Saturate.limit (k *. l.(at + 5)))
-    (sum.b +. Saturate.limit (k *. l.(at + 6)))
+  let k = Saturate.limit (cosine *. falloff) in
+  let r = Saturate.limit (k *. l.(at + 4))
+  and g = Saturate.limit (k *. l.(at + 5))
+  and b = Saturate.limit (k *. l.(at + 6)) in
+  set sum (sum.r +. r) (sum.g +. g) (sum.b +. b);
+  match t.observe with
+  | None -> ()
+  | Some observe ->
+      let contribution = Color.make r g b in
+      observe
+        (Lit { light = number_of_light at; cosine; falloff; contribution })
 
 let directional_light t at =
   let l = t.scene.lights and hit = t.hit in
@@ -192,14 +238,17 @@ let directional_light t at =
   if cosine > 0. then (
     Raw_ray.set_direction t.shadow_ray lx ly lz;
     t.shadow_ray.reach <- infinity;
-    if not (is_blocked t at) then add_light t at cosine)
+    if not (is_blocked t at) then add_light t at cosine 1.)
+  else tell_facing_away t at cosine
 
 let point_light t at =
   let l = t.scene.lights and hit = t.hit and shadow = t.shadow_ray in
   let lx = l.(at + 1) and ly = l.(at + 2) and lz = l.(at + 3) in
   let wx = lx -. hit.x and wy = ly -. hit.y and wz = lz -. hit.z in
-  let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz) in
-  if facing > 0. then (
+  let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz)
+  and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
+  let cosine = if squared > 0. then facing /. sqrt squared else 0. in
+  if cosine > 0. then (
     let vx = lx -. shadow.ox
     and vy = ly -. shadow.oy
     and vz = lz -. shadow.oz in
@@ -207,9 +256,10 @@ let point_light t at =
     let scale = 1. /. way in
     Raw_ray.set_direction shadow (vx *. scale) (vy *. scale) (vz *. scale);
     shadow.reach <- way -. hit.offset;
-    if not (is_blocked t at) then
-      let squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
-      add_light t at (facing /. (squared *. sqrt squared)))
+    (* there is no way to a light where the shadow ray would start *)
+    if way = 0. || not (is_blocked t at) then
+      add_light t at cosine (Saturate.limit (1. /. squared)))
+  else tell_facing_away t at cosine
 
 (* Puts the light that reaches the hit into its register. *)
 let gather_light t =
@@ -224,6 +274,16 @@ let gather_light t =
     if l.(!at) > 0. then point_light t !at else directional_light t !at;
     at := !at + light_size
   done
+
+(* Puts the light that the object at [at] returns into the register [color]. *)
+let diffuse t at =
+  let o = t.scene.objects in
+  let ar = o.(at + albedo_at)
+  and ag = o.(at + albedo_at + 1)
+  and ab = o.(at + albedo_at + 2) in
+  let light = t.light in
+  if ar > 0. || ag > 0. || ab > 0. then gather_light t else set light 0. 0. 0.;
+  set t.color (ar *. light.r) (ag *. light.g) (ab *. light.b)
 
 (* {1 Rays} *)
 
@@ -245,42 +305,65 @@ let reflect t =
   Raw_ray.set_direction ray (dx *. scale) (dy *. scale) (dz *. scale);
   ray.reach <- infinity
 
+let tell_hit t number =
+  match t.observe with
+  | None -> ()
+  | Some observe -> observe (Nearest_hit (hit_of t number))
+
+let tell_background t left =
+  match t.observe with
+  | None -> ()
+  | Some observe ->
+      let color = color_of t.color in
+      observe (if left = 0 then Chain_ended color else Missed color)
+
+let tell_bounce t left =
+  match t.observe with
+  | None -> ()
+  | Some observe -> observe (Bounce { ray = Ray.of_raw t.ray; left })
+
 (* Puts the colour of the ray, with [left] rays left in its chain, into the
    register [color]. *)
 let rec trace t left =
   let number = if left = 0 then Query.no_shape else t.query.nearest t.ray in
-  if number = Query.no_shape then
+  if number = Query.no_shape then (
     let { Color.r; g; b } = t.scene.source.background in
-    set t.color r g b
+    set t.color r g b;
+    tell_background t left)
   else (
     t.tally.hits <- t.tally.hits + 1;
     find_hit t number;
+    tell_hit t number;
     let o = t.scene.objects and at = object_size * number in
+    diffuse t at;
+    let dr = t.color.r and dg = t.color.g and db = t.color.b in
+    let lr = t.light.r and lg = t.light.g and lb = t.light.b in
+    let mirror = o.(at + mirror_at) in
+    if mirror > 0. then (
+      reflect t;
+      if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
+      tell_bounce t (left - 1);
+      trace t (left - 1);
+      let seen = t.color in
+      set seen (mirror *. seen.r) (mirror *. seen.g) (mirror *. seen.b))
+    else set t.color 0. 0. 0.;
     let er = o.(at + emission_at)
     and eg = o.(at + emission_at + 1)
     and eb = o.(at + emission_at + 2) in
-    let ar = o.(at + albedo_at)
-    and ag = o.(at + albedo_at + 1)
-    and ab = o.(at + albedo_at + 2) in
-    let mirror = o.(at + mirror_at) in
-    if ar > 0. || ag > 0. || ab > 0. then (
-      gather_light t;
-      let light = t.light in
-      set t.color
-        (er +. Saturate.limit (ar *. light.r))
-        (eg +. Saturate.limit (ag *. light.g))
-        (eb +. Saturate.limit (ab *. light.b)))
-    else set t.color er eg eb;
-    if mirror > 0. then (
-      let { r; g; b } = t.color in
-      if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
-      reflect t;
-      trace t (left - 1);
-      let seen = t.color in
-      set seen
-        (r +. Saturate.limit (mirror *. seen.r))
-        (g +. Saturate.limit (mirror *. seen.g))
-        (b +. Saturate.limit (mirror *. seen.b))))
+    let { r = mr; g = mg; b = mb } = t.color in
+    set t.color (er +. dr +. mr) (eg +. dg +. mg) (eb +. db +. mb);
+    match t.observe with
+    | None -> ()
+    | Some observe ->
+        observe
+          (Mixed
+             {
+               emitted = Color.make er eg eb;
+               light = Color.make lr lg lb;
+               diffused = Color.make dr dg db;
+               mirrored = Color.make mr mg mb;
+               color = color_of t.color;
+             }))
 
 (* {1 Questions from outside} *)
 
@@ -291,8 +374,14 @@ let load t (r : Ray.t) =
   t.ray.reach <- r.reach
 
 let evaluate t =
-  trace t t.scene.source.ray_depth;
-  Color.make t.color.r t.color.g t.color.b
+  let left = t.scene.source.ray_depth in
+  (match t.observe with
+  | None -> ()
+  | Some observe -> observe (Cast { ray = Ray.of_raw t.ray; left }));
+  trace t left;
+  let color = color_of t.color in
+  (match t.observe with None -> () | Some observe -> observe (Done color));
+  color
 
 let ray t r =
   load t r;
@@ -309,15 +398,7 @@ let nearest_hit t r =
   if number = Query.no_shape then None
   else (
     find_hit t number;
-    let { x; y; z; nx; ny; nz; offset } = t.hit in
-    Some
-      {
-        Hit.number;
-        t = t.ray.reach;
-        point = Vec3.make x y z;
-        normal = Direction.of_vec3_exn (Vec3.make nx ny nz);
-        offset;
-      })
+    Some (hit_of t number))
 
 let light t { Hit.point = p; normal; offset; _ } =
   let n = (normal :> Vec3.t) and hit = t.hit in
@@ -329,4 +410,4 @@ let light t { Hit.point = p; normal; offset; _ } =
   hit.nz <- n.z;
   hit.offset <- offset;
   gather_light t;
-  Color.make t.light.r t.light.g t.light.b
+  color_of t.light

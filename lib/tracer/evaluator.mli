@@ -19,8 +19,9 @@ val prepare : index:(Shape.t array -> Query.index) -> Scene.t -> scene
 type t
 (** The type for evaluators: the registers that one domain works with. *)
 
-val create : scene -> t
-(** [create scene] is a new evaluator for [scene]. *)
+val create : ?observe:(Event.t -> unit) -> scene -> t
+(** [create scene] is a new evaluator for [scene]. It tells [observe] each event
+    of what it evaluates; without it no event is made. *)
 
 val tally : t -> Tally.t
 (** [tally t] is what [t] has done so far. *)

@@ -3,7 +3,7 @@
 open Raylab_geometry
 
 type t = {
-  number : int;  (** of the object, by its place in the scene, from 0 *)
+  number : int;  (** of the object, by its place in the scene, from 1 *)
   t : float;  (** the distance from the ray's origin *)
   point : Vec3.t;  (** the point of the object's shape *)
   normal : Direction.t;  (** the unit normal on the side the ray comes from *)

@@ -38,4 +38,5 @@ let picture ?(domains = Parallel.default_domains ()) ?rows
       ~on_progress:(fun n -> on_progress (float_of_int n /. float_of_int count))
       (fill_tile picture ~first_row:first)
   in
+  on_progress 1.;
   (picture, Tally.sum (List.map Evaluator.tally evaluators))

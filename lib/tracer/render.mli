@@ -18,7 +18,7 @@ val picture :
 (** [picture scene] is the picture of [scene], or of only those [rows] of it,
     and what was done for it. [domains] defaults to
     {!Raylab_parallel.Parallel.default_domains}. [on_progress] is told now and
-    then, on the calling domain, the part that is done, up to 1.
+    then, on the calling domain, the part that is done, and 1 at the end.
 
     @raise Invalid_argument
       if [rows] are not rows of the picture, or [domains] is not between 1 and

@@ -7,7 +7,7 @@ let prepare ?(index = fun shapes -> Bvh.index shapes) (scene : Scene.t) =
   { scene; ready = Evaluator.prepare ~index scene }
 
 let scene t = t.scene
-let evaluator t = Evaluator.create t.ready
+let evaluator ?observe t = Evaluator.create ?observe t.ready
 let ray t r = Evaluator.ray (evaluator t) r
 let pixel t ~x ~y = Evaluator.pixel (evaluator t) ~x ~y
 let nearest_hit t r = Evaluator.nearest_hit (evaluator t) r

@@ -24,8 +24,9 @@ val prepare : ?index:(Shape.t array -> Query.index) -> Scene.t -> t
 val scene : t -> Scene.t
 (** [scene t] is the scene from which [t] was prepared. *)
 
-val evaluator : t -> Evaluator.t
-(** [evaluator t] is a new evaluator of the scene, for the use of one domain. *)
+val evaluator : ?observe:(Event.t -> unit) -> t -> Evaluator.t
+(** [evaluator t] is a new evaluator of the scene, for the use of one domain;
+    see {!Evaluator.create}. *)
 
 val ray : t -> Ray.t -> Color.t
 (** [ray t r] is the colour that [r] brings, with the scene's ray depth. Each

@@ -1,0 +1,190 @@
+open Raylab_geometry
+open Raylab_scene
+
+let version () =
+  match Child.run "povray" [ "--version" ] with
+  | Error _ -> None
+  | Ok { output; _ } ->
+      List.find_map
+        (fun line ->
+          try
+            (* the version, then perhaps a point and the kind of build *)
+            Scanf.sscanf line "POV-Ray %[0-9.]" (fun version ->
+                Some
+                  (String.concat "."
+                     (List.filter (( <> ) "")
+                        (String.split_on_char '.' version))))
+          with Scanf.Scan_failure _ | End_of_file -> None)
+        (String.split_on_char '\n' output)
+
+(* {1 Writing a scene} *)
+
+let number = Number.to_exact_string
+let triple x y z = Printf.sprintf "<%s,%s,%s>" (number x) (number y) (number z)
+let vector { Vec3.x; y; z } = triple x y z
+let color { Color.r; g; b } = triple r g b
+
+(* Far beyond everything, but well within POV-Ray's largest distance, 1e7. *)
+let sun_distance = 1e6
+
+(* f in the fall-off, as a part of the scene's lengths. *)
+let fade = 1e-3
+
+let write_camera channel (camera : Camera.t) =
+  Printf.fprintf channel
+    "camera { location <0,0,%s> direction <0,0,%s>\n\
+    \         right <%s,0,0> up <0,%s,0> }\n"
+    (number (-.camera.depth)) (number camera.depth)
+    (number camera.canvas_width)
+    (number camera.canvas_height)
+
+let write_light channel camera (light : Light.t) =
+  let scale = Camera.scale camera in
+  let power = Light.power light in
+  match light.source with
+  | Directional direction ->
+      let back = Vec3.scale (-.sun_distance *. scale) (direction :> Vec3.t) in
+      Printf.fprintf channel
+        "light_source { %s rgb %s parallel point_at <0,0,0> }\n" (vector back)
+        (color power)
+  | Point position ->
+      let distance = fade *. scale in
+      let near = 1. /. (2. *. distance *. distance) in
+      Printf.fprintf channel
+        "light_source { %s rgb %s fade_distance %s fade_power 2 }\n"
+        (vector position)
+        (color (Color.scale near power))
+        (number distance)
+
+let write_surface channel surface =
+  let { Surface.emission; albedo; mirror } = Surface.meaning surface in
+  let reflection =
+    if mirror = 0. then "" else Printf.sprintf " reflection{%s}" (number mirror)
+  in
+  let finish pigment kind =
+    Printf.fprintf channel " pigment{rgb%s}finish{%s%s}}\n" (color pigment) kind
+      reflection
+  in
+  let is_black = Color.equal Color.black in
+  match (is_black emission, is_black albedo) with
+  | true, true -> finish Color.black "diffuse 0"
+  | true, false -> finish albedo "diffuse 1"
+  | false, true -> finish emission "diffuse 0 emission 1"
+  | false, false -> invalid_arg "POV-Ray: a luminous and diffusive surface"
+
+let write_object channel (o : Object.t) =
+  (match o.shape with
+  | Sphere sphere ->
+      Printf.fprintf channel "sphere{%s,%s"
+        (vector (Sphere.centre sphere))
+        (number sphere.radius)
+  | Plane { point; normal } ->
+      let normal = (normal :> Vec3.t) in
+      Printf.fprintf channel "plane{%s,%s" (vector normal)
+        (number (Vec3.dot point normal)));
+  write_surface channel o.surface
+
+(* POV-Ray counts the primary ray as level 1, as raylab does, and allows at
+   most 256. It would also end a chain that cannot change a pixel any more. *)
+let write channel (scene : Scene.t) =
+  Printf.fprintf channel
+    "#version 3.7;\n\
+     global_settings { assumed_gamma 1 max_trace_level %d adc_bailout 0 }\n\
+     #default { finish { ambient 0 } }\n\
+     background { rgb %s }\n"
+    (Int.max 1 (Int.min 256 scene.ray_depth))
+    (color scene.background);
+  write_camera channel scene.camera;
+  List.iter (write_light channel scene.camera) scene.lights;
+  List.iter (write_object channel) scene.objects
+
+let empty = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+
+(* {1 Running} *)
+
+type t = {
+  parse : Child.clock;
+  bounding : Child.clock;
+  trace : Child.clock;
+  process : Child.clock;
+  rays : int;
+  shadow_rays : int;
+}
+
+let scan line format result =
+  try Some (Scanf.sscanf line format result)
+  with Scanf.Scan_failure _ | End_of_file | Failure _ -> None
+
+(* [Trace Time:  0 hours 0 minutes 1 seconds (1.234 seconds)] and on the next
+   line [using 4 thread(s) with 4.321 CPU-seconds total]. *)
+let rec time name = function
+  | first :: (second :: _ as rest) -> (
+      match
+        scan first " %s Time: %_d hours %_d minutes %_d seconds (%f seconds)"
+          (fun found wall -> (found, wall))
+      with
+      | Some (found, wall) when found = name ->
+          scan second " using %_d thread(s) with %f CPU-seconds" (fun cpu ->
+              { Child.wall; cpu })
+      | _ -> time name rest)
+  | _ -> None
+
+let count name lines =
+  let counted line =
+    if String.starts_with ~prefix:name line then scan line "%_[^:]: %d" Fun.id
+    else None
+  in
+  Option.value (List.find_map counted lines) ~default:0
+
+let statistics ({ output; clock } : Child.outcome) =
+  let lines = String.split_on_char '\n' output in
+  match (time "Parse" lines, time "Bounding" lines, time "Trace" lines) with
+  | Some parse, Some bounding, Some trace ->
+      Ok
+        {
+          parse;
+          bounding;
+          trace;
+          process = clock;
+          rays = count "Rays" lines;
+          shadow_rays = count "Shadow Ray Tests" lines;
+        }
+  | _ -> Error ("POV-Ray's statistics are not understood:\n" ^ output)
+
+let least figure runs = Figures.minimum (List.map figure runs)
+
+let overhead runs =
+  least (fun run -> run.process.cpu) runs
+  -. least (fun run -> run.trace.cpu) runs
+
+let trace_by_difference ~overhead runs =
+  least
+    (fun { process; parse; bounding; _ } ->
+      process.cpu -. parse.cpu -. bounding.cpu)
+    runs
+  -. overhead
+
+(* POV-Ray may read and write only certain directories; its own current one is
+   always among them. *)
+let render ?picture ~threads ~width ~height path =
+  let output =
+    match picture with
+    | None -> [ "Output_to_File=Off" ]
+    | Some file ->
+        [ "Output_File_Type=N"; "Output_File_Name=" ^ file; "File_Gamma=1" ]
+  in
+  let arguments =
+    [
+      "Input_File_Name=" ^ Filename.basename path;
+      Printf.sprintf "Width=%d" width;
+      Printf.sprintf "Height=%d" height;
+      Printf.sprintf "Work_Threads=%d" threads;
+      "Antialias=Off";
+      "Display=Off";
+      "Verbose=Off";
+    ]
+    @ output
+  in
+  Result.bind
+    (Child.run ~dir:(Filename.dirname path) "povray" arguments)
+    statistics

@@ -1,0 +1,4 @@
+(** How dune builds the benchmark. *)
+
+val name : string
+(** [name] is the profile: ["release"] or ["dev"]. *)

@@ -1,0 +1,61 @@
+open Raylab_geometry
+open Test_support
+open Build
+
+let ball = Shape.sphere ~centre:(v 0. 0. 6.) ~radius:1.
+let floor = Shape.plane ~point:(v 0. (-1.) 0.) ~normal:(v 0. 2. 0.)
+let z_axis = ray Vec3.zero (v 0. 0. 1.)
+
+let test_sphere () =
+  Alcotest.(check (list (Same.near 1e-14)))
+    "intersections" [ 5.; 7. ]
+    (Shape.intersections ball z_axis);
+  Alcotest.check (Same.near 1e-14) "nearest" 5. (Shape.nearest ball z_axis);
+  Alcotest.check Same.direction "outward" (dir 0. 0. (-1.))
+    (Shape.normal ball (v 0. 0. 5.));
+  Alcotest.(check string) "name" "sphere" (Shape.name ball);
+  Expect.prints "pp" "sphere centre (0, 0, 6) radius 1" Shape.pp ball
+
+(* The normal is as given, but of length 1, wherever the ray comes from. *)
+let test_plane () =
+  let down = ray (v 0. 1. 0.) (v 0. (-1.) 0.) in
+  Alcotest.(check (list (Same.near 1e-14)))
+    "intersections" [ 2. ]
+    (Shape.intersections floor down);
+  Alcotest.check Same.direction "as given" (dir 0. 1. 0.)
+    (Shape.normal floor (v 0. (-1.) 0.));
+  Alcotest.(check string) "name" "plane" (Shape.name floor);
+  Expect.prints "pp" "plane through (0, -1, 0) normal (0, 1, 0)" Shape.pp floor;
+  Expect.invalid "zero normal" (fun () ->
+      Shape.plane ~point:Vec3.zero ~normal:Vec3.zero)
+
+let test_equal () =
+  let differs what other =
+    Alcotest.(check bool) what false (Shape.equal ball other)
+  in
+  Alcotest.(check bool) "itself" true (Shape.equal ball ball);
+  Alcotest.(check bool) "a plane" true (Shape.equal floor floor);
+  differs "centre" (Shape.sphere ~centre:(v 0. 0. 7.) ~radius:1.);
+  differs "radius" (Shape.sphere ~centre:(v 0. 0. 6.) ~radius:2.);
+  differs "kind" floor
+
+let shapes_and_rays number =
+  QCheck2.Gen.pair (Generate.shape number) (Generate.ray number)
+
+(* [nearest] is a faster way to say this of all intersections. *)
+let least_positive ts =
+  List.fold_left Float.min infinity (List.filter (fun t -> t > 0.) ts)
+
+let nearest_is_least =
+  Property.holds "nearest is the least positive intersection" ~count:5000
+    (shapes_and_rays Generate.extreme) (fun (shape, ray) ->
+      Shape.nearest shape ray = least_positive (Shape.intersections shape ray))
+
+let suite =
+  ( "Shape",
+    [
+      Alcotest.test_case "sphere" `Quick test_sphere;
+      Alcotest.test_case "plane" `Quick test_plane;
+      Alcotest.test_case "equal" `Quick test_equal;
+      nearest_is_least;
+    ] )

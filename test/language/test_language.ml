@@ -1,0 +1,17 @@
+let () =
+  Alcotest.run "language"
+    [
+      Test_span.suite;
+      Test_source.suite;
+      Test_lexer.suite;
+      Test_keyword.suite;
+      Test_grammar.suite;
+      Test_mixes.suite;
+      Test_numbers.suite;
+      Test_header.suite;
+      Test_error_place.suite;
+      Test_error_messages.suite;
+      Test_load.suite;
+      Test_round_trip.suite;
+      Test_hostile.suite;
+    ]

@@ -1,0 +1,63 @@
+(* A weight and its surface belong to the innermost mix that is open. *)
+
+open Raylab_scene
+open Test_support
+
+let glow = Surface.luminous Color.red
+let matt = Surface.diffusive Color.white
+let mirror = Surface.reflective
+
+let surfaces text =
+  let scene = Read.scene (Read.with_header text) in
+  List.map (fun (o : Object.t) -> o.surface) scene.objects
+
+let check what text expected =
+  Alcotest.(check (list Same.surface))
+    what [ expected ]
+    (surfaces ("sphere 0 0 6 1 " ^ text))
+
+let test_flat () =
+  check "one part" "mixed 2 reflective" (Surface.mixed [ (2., mirror) ]);
+  check "three parts" "mixed 1 reflective .5 luminous red 3 diffusive white"
+    (Surface.mixed [ (1., mirror); (0.5, glow); (3., matt) ]);
+  (* a colour takes three numbers, the fourth is the next weight *)
+  check "numbers" "mixed 1 luminous 1 0 0 .5 diffusive 1 1 1"
+    (Surface.mixed [ (1., glow); (0.5, matt) ])
+
+let test_innermost () =
+  check "all that follows" "mixed 1 mixed 2 reflective 3 luminous red"
+    (Surface.mixed [ (1., Surface.mixed [ (2., mirror); (3., glow) ]) ]);
+  check "what stands before does not"
+    "mixed 4 diffusive white 1 mixed 2 reflective 3 luminous red"
+    (Surface.mixed
+       [ (4., matt); (1., Surface.mixed [ (2., mirror); (3., glow) ]) ]);
+  check "three deep"
+    "mixed 1 reflective 2 mixed 3 reflective 4 mixed 5 reflective 6 luminous \
+     red"
+    (Surface.mixed
+       [
+         (1., mirror);
+         ( 2.,
+           Surface.mixed
+             [ (3., mirror); (4., Surface.mixed [ (5., mirror); (6., glow) ]) ]
+         );
+       ])
+
+let test_next_object () =
+  Alcotest.(check (list Same.surface))
+    "an object ends every mix"
+    [
+      Surface.mixed [ (1., Surface.mixed [ (2., mirror) ]) ];
+      Surface.mixed [ (3., glow) ];
+    ]
+    (surfaces
+       "sphere 0 0 6 1 mixed 1 mixed 2 reflective sphere 0 0 7 1 mixed 3 \
+        luminous red")
+
+let suite =
+  ( "Mixes",
+    [
+      Alcotest.test_case "flat" `Quick test_flat;
+      Alcotest.test_case "innermost" `Quick test_innermost;
+      Alcotest.test_case "next object" `Quick test_next_object;
+    ] )

@@ -1,0 +1,57 @@
+(* Pictures to a channel, as for standard output. *)
+
+open Raylab_picture
+open Test_support
+
+let picture = Sample.picture ~width:50 ~height:30
+
+let test_same_bytes folder =
+  List.iter
+    (fun format ->
+      let saved = Filename.concat folder "saved"
+      and written = Filename.concat folder "written" in
+      ignore (Picture_file.save format ~path:saved picture);
+      Out_channel.with_open_bin written (fun channel ->
+          Alcotest.(check (result unit string))
+            "written" (Ok ())
+            (Picture_file.output format channel picture);
+          (* it is flushed: all is there before the channel is closed *)
+          Alcotest.(check bool)
+            "as in a file" true
+            (Sample.read saved = Sample.read written)))
+    Sample.formats;
+  Alcotest.(check (list string)) "none in use" [] (Picture_file.temporary ())
+
+let test_full _ =
+  List.iter
+    (fun format ->
+      let channel = Out_channel.open_bin "/dev/full" in
+      (match Picture_file.output format channel picture with
+      | Ok () -> Alcotest.fail "no error"
+      | Error message -> Expect.contains "full" ~part:"No space left" message);
+      Out_channel.close_noerr channel)
+    Sample.formats;
+  Alcotest.(check (list string)) "none in use" [] (Picture_file.temporary ())
+
+(* The temporary file that the picture goes through is removed. *)
+let test_temporary folder =
+  let channel = Out_channel.open_bin "/dev/null" in
+  Filename.set_temp_dir_name folder;
+  Fun.protect
+    ~finally:(fun () -> Filename.set_temp_dir_name (Filename.dirname folder))
+    (fun () ->
+      Alcotest.(check (result unit string))
+        "written" (Ok ())
+        (Picture_file.output Png channel picture));
+  Out_channel.close channel;
+  Alcotest.(check (list string)) "nothing left" [] (Sample.files folder)
+
+let test name f = Alcotest.test_case name `Quick (Sample.in_new_folder f)
+
+let suite =
+  ( "Output",
+    [
+      test "the bytes of a file" test_same_bytes;
+      test "a full device" test_full;
+      test "no temporary file is left" test_temporary;
+    ] )

@@ -1,0 +1,141 @@
+open Raylab_geometry
+open Raylab_scene
+open Test_support
+open Build
+
+let check_color = Alcotest.check (Same.color_near 1e-15)
+let check_number = Alcotest.check (Same.near 1e-15)
+let up = dir 0. 1. 0.
+
+(* Travels to the right and down, so it comes from (-0.6, 0.8, 0). *)
+let sun = Light.directional ~intensity:2. ~color:(rgb 1. 0.5 0.) (v 3. (-4.) 0.)
+let bulb = Light.point ~intensity:50. ~color:(rgb 1. 0.5 0.) (v 3. 4. 0.)
+
+let test_directional () =
+  let incidence =
+    Option.get (Light.incidence sun ~point:(v 7. 7. 7.) ~normal:up)
+  in
+  Alcotest.check
+    (Same.direction_near 1e-15)
+    "towards" (dir (-0.6) 0.8 0.) incidence.towards;
+  check_number "cosine" 0.8 incidence.cosine;
+  check_number "no fall-off" 1. incidence.falloff;
+  (* 0.8 * 2 * (1, 0.5, 0) *)
+  check_color "received" (rgb 1.6 0.8 0.)
+    (Light.received sun ~point:(v 7. 7. 7.) ~normal:up)
+
+(* The light is 5 away, 4 of it along the normal: cosine 4/5, fall-off 1/25. *)
+let test_point () =
+  let incidence =
+    Option.get (Light.incidence bulb ~point:Vec3.zero ~normal:up)
+  in
+  Alcotest.check
+    (Same.direction_near 1e-15)
+    "towards" (dir 0.6 0.8 0.) incidence.towards;
+  check_number "cosine" 0.8 incidence.cosine;
+  check_number "fall-off" 0.04 incidence.falloff;
+  (* 0.8 * 0.04 * 50 * (1, 0.5, 0) *)
+  check_color "received" (rgb 1.6 0.8 0.)
+    (Light.received bulb ~point:Vec3.zero ~normal:up)
+
+let test_facing_away () =
+  let down = dir 0. (-1.) 0. in
+  List.iter
+    (fun light ->
+      let incidence =
+        Option.get (Light.incidence light ~point:Vec3.zero ~normal:down)
+      in
+      check_number "negative cosine" (-0.8) incidence.cosine;
+      check_color "nothing" Color.black
+        (Light.received light ~point:Vec3.zero ~normal:down))
+    [ sun; bulb ];
+  check_color "along the surface" Color.black
+    (Light.received sun ~point:Vec3.zero ~normal:(dir 0. 0. 1.))
+
+let test_at_the_light () =
+  Alcotest.(check bool)
+    "no incidence" true
+    (Light.incidence bulb ~point:(v 3. 4. 0.) ~normal:up = None);
+  check_color "nothing" Color.black
+    (Light.received bulb ~point:(v 3. 4. 0.) ~normal:up);
+  let far = v max_float 0. 0. in
+  let beyond =
+    Light.point ~intensity:1. ~color:Color.white (v (-1e308) 0. 0.)
+  in
+  Alcotest.(check bool)
+    "too far" true
+    (Light.incidence beyond ~point:far ~normal:up = None)
+
+let test_power () =
+  check_color "intensity * colour" (rgb 50. 25. 0.) (Light.power bulb);
+  let blinding =
+    Light.directional ~intensity:1e200 ~color:(rgb 1e200 1. 0.) (v 0. (-1.) 0.)
+  in
+  check_color "at most max_float" (rgb max_float 1e200 0.)
+    (Light.power blinding);
+  check_color "so is what is received" (rgb max_float 1e200 0.)
+    (Light.received blinding ~point:Vec3.zero ~normal:up)
+
+(* 1 / (1e-200)^2 is no double either. *)
+let test_very_near () =
+  let light = Light.point ~intensity:1. ~color:Color.red (v 0. 1e-200 0.) in
+  check_color "at most max_float" (rgb max_float 0. 0.)
+    (Light.received light ~point:Vec3.zero ~normal:up)
+
+let test_values () =
+  Alcotest.(check string) "name" "directional" (Light.name sun);
+  Alcotest.(check string) "name" "spherical" (Light.name bulb);
+  Expect.prints "directional"
+    "directional light, intensity 1, rgb 1 1 1, along (0, -1, 0)" Light.pp
+    (Light.directional ~intensity:1. ~color:Color.white (v 0. (-1.) 0.));
+  Expect.prints "point" "point light, intensity 1, rgb 1 1 1, at (0, 5, 0)"
+    Light.pp
+    (Light.point ~intensity:1. ~color:Color.white (v 0. 5. 0.));
+  Alcotest.check Same.light "lines do not count" bulb
+    (Light.point ~line:9 ~intensity:50. ~color:(rgb 1. 0.5 0.) (v 3. 4. 0.));
+  Alcotest.(check bool) "kinds differ" false (Light.equal sun bulb);
+  check_color "map_color" Color.blue
+    (Light.map_color (fun _ -> Color.blue) bulb).color
+
+let test_invalid () =
+  let color = Color.white and at = v 1. 2. 3. in
+  List.iter
+    (fun bad ->
+      Expect.invalid "intensity" (fun () ->
+          Light.point ~intensity:bad ~color at);
+      Expect.invalid "colour" (fun () ->
+          Light.directional ~intensity:1. ~color:(rgb 0. bad 0.) at))
+    [ nan; infinity; -1. ];
+  List.iter
+    (fun at ->
+      Expect.invalid "position" (fun () -> Light.point ~intensity:1. ~color at);
+      Expect.invalid "direction" (fun () ->
+          Light.directional ~intensity:1. ~color at))
+    [ v nan 0. 0.; v 0. infinity 0.; v 0. 0. neg_infinity ];
+  Expect.invalid "zero direction" (fun () ->
+      Light.directional ~intensity:1. ~color Vec3.zero)
+
+let finite =
+  Property.holds "what is received is finite, whatever the numbers" ~count:2000
+    QCheck2.Gen.(
+      triple
+        (Generate.light Generate.extreme)
+        (Generate.vec3 Generate.extreme)
+        (Generate.direction Generate.extreme))
+    (fun (light, point, normal) ->
+      let c = Light.received light ~point ~normal in
+      List.for_all (fun x -> Float.is_finite x && x >= 0.) [ c.r; c.g; c.b ])
+
+let suite =
+  ( "Light",
+    [
+      Alcotest.test_case "directional" `Quick test_directional;
+      Alcotest.test_case "point" `Quick test_point;
+      Alcotest.test_case "facing away" `Quick test_facing_away;
+      Alcotest.test_case "at the light" `Quick test_at_the_light;
+      Alcotest.test_case "power" `Quick test_power;
+      Alcotest.test_case "very near" `Quick test_very_near;
+      Alcotest.test_case "values" `Quick test_values;
+      Alcotest.test_case "invalid" `Quick test_invalid;
+      finite;
+    ] )

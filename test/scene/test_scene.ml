@@ -1,0 +1,15 @@
+let () =
+  Alcotest.run "scene"
+    [
+      Test_level.suite;
+      Test_saturate.suite;
+      Test_color.suite;
+      Test_grey.suite;
+      Test_surface.suite;
+      Test_meaning.suite;
+      Test_light.suite;
+      Test_shadow_ray.suite;
+      Test_camera.suite;
+      Test_scenes.suite;
+      Test_warnings.suite;
+    ]

@@ -1,0 +1,91 @@
+open Raylab_scene
+open Test_support
+open Build
+
+let ball = sphere (v 0. 0. 6.) 1. (Surface.diffusive (rgb 1. 0. 0.))
+let bulb = Light.point ~intensity:5. ~color:(rgb 0. 1. 0.) (v 0. 5. 0.)
+
+let scene =
+  Scene.make ~background:(rgb 0. 0. 1.) ~lights:[ bulb ] ~objects:[ ball ]
+    (camera ())
+
+let test_defaults () =
+  let bare = Scene.make (camera ()) in
+  Alcotest.check Same.color "background" Color.black bare.background;
+  Alcotest.(check int) "ray depth" 4 bare.ray_depth;
+  Alcotest.(check int) "lights" 0 (List.length bare.lights);
+  Alcotest.(check int) "objects" 0 (List.length bare.objects)
+
+let test_invalid () =
+  List.iter
+    (fun ray_depth ->
+      Expect.invalid "ray depth" (fun () -> Scene.make ~ray_depth (camera ())))
+    [ -1; Scene.max_ray_depth + 1; min_int ];
+  Alcotest.(check int)
+    "the most" 1_000_000
+    (Scene.make ~ray_depth:Scene.max_ray_depth (camera ())).ray_depth;
+  List.iter
+    (fun bad ->
+      Expect.invalid "background" (fun () ->
+          Scene.make ~background:(rgb 0. 0. bad) (camera ())))
+    [ -1.; nan; infinity ]
+
+(* Each colour here is one of the three primaries, whose luminances are the
+   three factors. *)
+let test_greyscale () =
+  let grey_scene = Scene.greyscale scene in
+  let expected =
+    Scene.make ~background:(grey 0.0722)
+      ~lights:[ Light.point ~intensity:5. ~color:(grey 0.7152) (v 0. 5. 0.) ]
+      ~objects:[ sphere (v 0. 0. 6.) 1. (Surface.diffusive (grey 0.2126)) ]
+      (camera ())
+  in
+  Alcotest.check Same.scene "every colour" expected grey_scene
+
+(* Lines tell where an object stands in a file, not what it is. *)
+let test_equal () =
+  let copy ?(lights = [ bulb ]) ?(objects = [ ball ]) ?(camera = camera ()) () =
+    Scene.make ~background:(rgb 0. 0. 1.) ~lights ~objects camera
+  in
+  let differs what other =
+    Alcotest.(check bool) what false (Scene.equal scene other)
+  in
+  Alcotest.check Same.scene "the same again" scene (copy ());
+  Alcotest.check Same.scene "with other lines" scene
+    (copy
+       ~objects:
+         [ sphere ~line:3 (v 0. 0. 6.) 1. (Surface.diffusive (rgb 1. 0. 0.)) ]
+       ());
+  differs "no lights" (copy ~lights:[] ());
+  differs "one object twice" (copy ~objects:[ ball; ball ] ());
+  differs "another camera" (copy ~camera:(camera ~width:2 ()) ());
+  Alcotest.check Same.scene "with_camera"
+    (copy ~camera:(camera ~width:2 ()) ())
+    (Scene.with_camera (camera ~width:2 ()) scene)
+
+let test_pp () =
+  let shown = Property.show Scene.pp scene in
+  List.iter
+    (fun part -> Expect.contains "pp" ~part shown)
+    [
+      "1 x 1 pixels";
+      "light 1: point light";
+      "object 1: sphere centre (0, 0, 6) radius 1";
+      "ray depth 4";
+    ];
+  let crowd =
+    Scene.make ~objects:(List.init 5000 (fun _ -> ball)) (camera ())
+  in
+  let shown = Property.show Scene.pp crowd in
+  Alcotest.(check bool) "not all of many" true (String.length shown < 2000);
+  Expect.contains "the rest is counted" ~part:"more objects" shown
+
+let suite =
+  ( "Scene",
+    [
+      Alcotest.test_case "defaults" `Quick test_defaults;
+      Alcotest.test_case "invalid" `Quick test_invalid;
+      Alcotest.test_case "greyscale" `Quick test_greyscale;
+      Alcotest.test_case "equal" `Quick test_equal;
+      Alcotest.test_case "pp" `Quick test_pp;
+    ] )

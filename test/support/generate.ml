@@ -1,0 +1,106 @@
+open Raylab_geometry
+open Raylab_scene
+open QCheck2
+open Gen
+
+let everyday = float_range (-10.) 10.
+
+let corners =
+  let sizes =
+    [ 5e-324; 1e-310; 0x1p-1022; 1e-200; 1e-154; 1e-5; 1.; 1e15; 1e154; 1e200 ]
+  in
+  let sizes = 0. :: 1e300 :: max_float :: sizes in
+  sizes @ List.map Float.neg sizes
+
+(* Every bit pattern but those of NaN and infinity, which become 1. *)
+let any_bits =
+  let finite bits =
+    let x = Int64.float_of_bits bits in
+    if Float.is_finite x then x else 1.
+  in
+  map finite int64
+
+let extreme = frequency [ (3, everyday); (2, oneofl corners); (1, any_bits) ]
+
+let hostile =
+  frequency [ (6, extreme); (1, oneofl [ nan; infinity; neg_infinity ]) ]
+
+let at_least_0 number = map abs_float number
+let positive number = map (fun x -> if x = 0. then 1. else abs_float x) number
+let vec3 number = map3 Vec3.make number number number
+
+let direction number =
+  let default = Build.dir 0. 1. 0. in
+  map (Direction.of_vec3_or default) (vec3 number)
+
+let ray number =
+  map2
+    (fun origin direction -> Ray.make ~origin ~direction)
+    (vec3 number) (direction number)
+
+let shape number =
+  oneof
+    [
+      map2
+        (fun centre radius -> Shape.sphere ~centre ~radius)
+        (vec3 number) (positive number);
+      map2
+        (fun point (normal : Direction.t) ->
+          Shape.plane ~point ~normal:(normal :> Vec3.t))
+        (vec3 number) (direction number);
+    ]
+
+let color number =
+  let channel = at_least_0 number in
+  map3 Color.make channel channel channel
+
+let simple_surface number =
+  oneof
+    [
+      map Surface.diffusive (color number);
+      pure Surface.reflective;
+      map Surface.luminous (color number);
+    ]
+
+let surface number =
+  let rec at_depth n =
+    if n = 0 then simple_surface number
+    else
+      let part = pair (at_least_0 number) (at_depth (n - 1)) in
+      frequency
+        [
+          (2, simple_surface number);
+          (1, map Surface.mixed (list_size (1 -- 3) part));
+        ]
+  in
+  at_depth 3
+
+let light number =
+  let* intensity = at_least_0 number
+  and* color = color number
+  and* is_point = bool in
+  if is_point then
+    map (fun position -> Light.point ~intensity ~color position) (vec3 number)
+  else
+    map
+      (fun (d : Direction.t) ->
+        Light.directional ~intensity ~color (d :> Vec3.t))
+      (direction number)
+
+let scene ?(max_side = 12) number =
+  let size = positive number in
+  let* width = 1 -- max_side
+  and* height = 1 -- max_side
+  and* canvas_width = size
+  and* canvas_height = size
+  and* depth = size
+  and* background = color number
+  and* ray_depth = 0 -- 6
+  and* lights = list_size (0 -- 4) (light number)
+  and* objects =
+    list_size (0 -- 6)
+      (map2 (fun s f -> Object.make s f) (shape number) (surface number))
+  in
+  pure
+    (Scene.make ~background ~ray_depth ~lights ~objects
+       (Camera.make ~width ~height ~canvas_width ~canvas_height ~depth))

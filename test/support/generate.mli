@@ -1,0 +1,46 @@
+(** Random values of the types of geometry and scene. *)
+
+open Raylab_geometry
+open Raylab_scene
+open QCheck2
+
+(** {1 Numbers} *)
+
+val everyday : float Gen.t
+(** Numbers from -10 to 10. *)
+
+val extreme : float Gen.t
+(** Finite numbers of any size: zeros of both signs, subnormals, the largest and
+    random bits, everyday ones among them. *)
+
+val hostile : float Gen.t
+(** {!extreme}, NaN and both infinities. *)
+
+val at_least_0 : float Gen.t -> float Gen.t
+(** Absolute values. *)
+
+val positive : float Gen.t -> float Gen.t
+(** Absolute values; 1 in place of 0. *)
+
+(** {1 Geometry}
+
+    Each from a generator of numbers. *)
+
+val vec3 : float Gen.t -> Vec3.t Gen.t
+val direction : float Gen.t -> Direction.t Gen.t
+val ray : float Gen.t -> Ray.t Gen.t
+val shape : float Gen.t -> Shape.t Gen.t
+
+(** {1 Scenes} *)
+
+val color : float Gen.t -> Color.t Gen.t
+(** Channels are absolute values of the numbers. *)
+
+val surface : float Gen.t -> Surface.t Gen.t
+(** Mixes of up to three parts among them, nested up to three deep. *)
+
+val light : float Gen.t -> Light.t Gen.t
+
+val scene : ?max_side:int -> float Gen.t -> Scene.t Gen.t
+(** Pictures of up to [max_side] pixels a side, 12 by default, up to four lights
+    and up to six objects. *)

@@ -1,0 +1,26 @@
+open Raylab_scene
+open Raylab_tracer
+open Test_support
+
+let centre ?background ?ray_depth ?lights objects =
+  let scene =
+    Scene.make ?background ?ray_depth ?lights ~objects (Build.camera ())
+  in
+  Trace.pixel (Trace.prepare scene) ~x:0 ~y:0
+
+let sun ?(intensity = 1.) x y z =
+  Light.directional ~intensity ~color:Color.white (Build.v x y z)
+
+let bulb ?(intensity = 1.) x y z =
+  Light.point ~intensity ~color:Color.white (Build.v x y z)
+
+let picture scene = fst (Render.picture ~domains:1 (Trace.prepare scene))
+
+let drawing letter picture =
+  List.init (Picture.height picture) (fun y ->
+      String.init (Picture.width picture) (fun x ->
+          letter (Picture.get picture ~x ~y)))
+
+let pixels picture =
+  let row y = List.init (Picture.width picture) (fun x -> (x, y)) in
+  List.concat (List.init (Picture.height picture) row)

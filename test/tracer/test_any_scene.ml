@@ -1,0 +1,83 @@
+(* What holds of every scene, however strange its numbers. *)
+
+open Raylab_geometry
+open Raylab_scene
+open Raylab_tracer
+open Test_support
+
+let is_light x = Float.is_finite x && x >= 0.
+let is_color (c : Color.t) = is_light c.r && is_light c.g && is_light c.b
+let print = Property.show Scene.pp
+
+let pixels scene =
+  let prepared = Trace.prepare scene in
+  Seq.map (Trace.ray prepared) (Trace.primary_rays scene)
+
+let finite name number =
+  Property.holds name ~count:1000 ~print (Generate.scene ~max_side:6 number)
+    (fun scene -> Seq.for_all is_color (pixels scene))
+
+let any_ray =
+  Property.holds "so with any ray" ~count:1000
+    QCheck2.Gen.(
+      pair
+        (Generate.scene ~max_side:1 Generate.extreme)
+        (Generate.ray Generate.extreme))
+    (fun (scene, ray) -> is_color (Trace.ray (Trace.prepare scene) ray))
+
+let ray_is_pixel =
+  Property.holds "a pixel is its primary ray" ~count:200 ~print
+    (Generate.scene Generate.everyday) (fun scene ->
+      let prepared = Trace.prepare scene in
+      let { Camera.width; height; _ } = scene.camera in
+      let x = width / 2 and y = height / 3 in
+      Color.equal
+        (Trace.pixel prepared ~x ~y)
+        (Trace.ray prepared (Camera.primary_ray scene.camera ~x ~y)))
+
+(* A grey scene is grey in every pixel, to the last bit: see Grey. *)
+let grey_stays_grey =
+  Property.holds "greyscale has equal channels" ~count:300 ~print
+    (Generate.scene ~max_side:6 Generate.extreme) (fun scene ->
+      Seq.for_all
+        (fun (c : Color.t) -> c.r = c.g && c.g = c.b)
+        (pixels (Scene.greyscale scene)))
+
+(* The first of the objects that are hit at the least distance. *)
+let nearest_object (scene : Scene.t) ray =
+  let nearer (best, limit) (o : Object.t) =
+    let t = Shape.nearest o.shape ray in
+    if t < limit then (Some o, t) else (best, limit)
+  in
+  fst (List.fold_left nearer (None, infinity) scene.objects)
+
+(* With one ray and no light the colour is what is emitted and the mirror's part
+   of the background. *)
+let triple =
+  Property.holds "one ray without light shows the triple" ~count:500 ~print
+    (Generate.scene ~max_side:1 Generate.everyday) (fun scene ->
+      let scene =
+        Scene.make ~background:scene.background ~ray_depth:1
+          ~objects:scene.objects scene.camera
+      in
+      let ray = Camera.primary_ray scene.camera ~x:0 ~y:0 in
+      let expected =
+        match nearest_object scene ray with
+        | None -> scene.background
+        | Some o ->
+            let { Surface.emission; mirror; _ } = Surface.meaning o.surface in
+            Color.add emission (Color.scale mirror scene.background)
+      in
+      Alcotest.equal (Same.color_near 1e-9) expected
+        (Trace.ray (Trace.prepare scene) ray))
+
+let suite =
+  ( "Any scene",
+    [
+      finite "colours are finite and not negative" Generate.everyday;
+      finite "so with numbers of any size" Generate.extreme;
+      any_ray;
+      ray_is_pixel;
+      grey_stays_grey;
+      triple;
+    ] )

@@ -1,0 +1,59 @@
+(* With lengths k times as long, and point lights k^2 times as strong, the
+   picture stays the same. *)
+
+open Raylab_geometry
+open Raylab_scene
+open Raylab_tracer
+open Test_support
+
+let scale_shape k = function
+  | Shape.Sphere s ->
+      Shape.sphere
+        ~centre:(Vec3.scale k (Sphere.centre s))
+        ~radius:(k *. s.radius)
+  | Plane p ->
+      Shape.plane ~point:(Vec3.scale k p.point) ~normal:(p.normal :> Vec3.t)
+
+let scale_light k (light : Light.t) =
+  match light.source with
+  | Directional _ -> light
+  | Point position ->
+      Light.point
+        ~intensity:(k *. k *. light.intensity)
+        ~color:light.color (Vec3.scale k position)
+
+let scale k (scene : Scene.t) =
+  let { Camera.width; height; canvas_width; canvas_height; depth } =
+    scene.camera
+  in
+  Scene.make ~background:scene.background ~ray_depth:scene.ray_depth
+    ~lights:(List.map (scale_light k) scene.lights)
+    ~objects:
+      (List.map
+         (fun (o : Object.t) -> Object.make (scale_shape k o.shape) o.surface)
+         scene.objects)
+    (Camera.make ~width ~height ~canvas_width:(k *. canvas_width)
+       ~canvas_height:(k *. canvas_height) ~depth:(k *. depth))
+
+(* Rounding differs, so a level may. *)
+let same_picture a b =
+  let is_near m n = abs (m - n) <= 1 in
+  List.for_all
+    (fun (x, y) ->
+      let r, g, b' = Picture.get a ~x ~y
+      and r', g', b'' = Picture.get b ~x ~y in
+      is_near r r' && is_near g g' && is_near b' b'')
+    (Shot.pixels a)
+
+let any_scale =
+  Property.holds "the picture stays the same" ~count:300
+    ~print:(fun (scene, k) ->
+      Printf.sprintf "times %g: %s" k (Property.show Scene.pp scene))
+    QCheck2.Gen.(
+      pair
+        (Generate.scene Generate.everyday)
+        (oneofl [ 1e-3; 1e-2; 0.1; 10.; 100.; 1e3 ]))
+    (fun (scene, k) ->
+      same_picture (Shot.picture scene) (Shot.picture (scale k scene)))
+
+let suite = ("Scale", [ any_scale ])

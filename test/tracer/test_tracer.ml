@@ -1,0 +1,19 @@
+let () =
+  Alcotest.run "tracer"
+    [
+      Test_picture.suite;
+      Test_hit.suite;
+      Test_visibility.suite;
+      Test_lighting.suite;
+      Test_shadows.suite;
+      Test_mirrors.suite;
+      Test_edge_cases.suite;
+      Test_offset.suite;
+      Test_acne.suite;
+      Test_scale.suite;
+      Test_any_scene.suite;
+      Test_parallel_iter.suite;
+      Test_parallel_failures.suite;
+      Test_render.suite;
+      Test_tally.suite;
+    ]
