@@ -1,3 +1,5 @@
+open Numbers
+
 type t = {
   tree : Bvh_tree.t;
   planes : float array; (* point and normal: six numbers a plane *)
@@ -9,167 +11,193 @@ type t = {
    JCGT 2013), and far less than a box's size. *)
 let slack = 1. +. 0x1p-40
 
-(* Whether a ray misses a box, given the distances at which it enters and leaves
-   it on each axis: it does if it leaves on one axis before it enters on
-   another, or the box lies behind its origin or beyond [best]. Not 0 if so.
-
-   Each comparison is a number, not a branch: whether a box is missed cannot be
-   foretold, and a processor's wrong guess costs as much as ten comparisons. NaN,
-   which is 0 times infinity, compares as no miss. *)
-let[@inline] misses best in_x in_y in_z out_x out_y out_z =
-  in_x > out_y || in_y > out_x || in_x > out_z || in_z > out_x || in_y > out_z
-  || in_z > out_y || out_x < 0. || out_y < 0. || out_z < 0. || in_x > best
-  || in_y > best || in_z > best
-
 let[@inline] side (boxes : Bvh_tree.boxes) at =
   Bigarray.Array1.unsafe_get boxes at
 
-let slots = 64
+let[@inline] link_at (links : Bvh_tree.links) at =
+  Bigarray.Array1.unsafe_get links at
 
-let[@inline always] walk ~any bvh stack (ray : Raw_ray.t) =
-  let best = ref ray.reach and number = ref Query.no_shape in
-  for k = 0 to Array.length bvh.plane_numbers - 1 do
-    let p = bvh.planes and at = 6 * k in
-    let t =
-      Plane.nearest_raw (Array.unsafe_get p at)
-        (Array.unsafe_get p (at + 1))
-        (Array.unsafe_get p (at + 2))
-        (Array.unsafe_get p (at + 3))
-        (Array.unsafe_get p (at + 4))
-        (Array.unsafe_get p (at + 5))
-        ray
-    in
-    if t < !best then (
-      best := t;
-      number := if any then max_int else Array.unsafe_get bvh.plane_numbers k)
-  done;
-  let { Bvh_tree.boxes; links; spheres; numbers; root } = bvh.tree in
-  let ox = ray.ox and oy = ray.oy and oz = ray.oz in
-  let in_scale_x = 1. /. ray.dx
-  and in_scale_y = 1. /. ray.dy
-  and in_scale_z = 1. /. ray.dz in
-  let out_scale_x = in_scale_x *. slack
-  and out_scale_y = in_scale_y *. slack
-  and out_scale_z = in_scale_z *. slack in
-  let x_in = Bool.to_int (in_scale_x < 0.)
-  and y_in = Bool.to_int (in_scale_y < 0.)
-  and z_in = Bool.to_int (in_scale_z < 0.) in
-  let octant = x_in lor (y_in lsl 1) lor (z_in lsl 2) in
-  let x_out = 1 - x_in and y_out = 3 - y_in and z_out = 5 - z_in in
-  let y_in = 2 + y_in and z_in = 4 + z_in in
-  Array.unsafe_set stack 0 Bvh_tree.none;
-  let code = ref (if any && !number >= 0 then Bvh_tree.none else root)
-  and top = ref 0 in
-  while !code <> Bvh_tree.none do
-    if !code < 0 then (
-      for place = Bvh_tree.leaf_first !code to Bvh_tree.leaf_last !code do
-        let at = 4 * place in
-        let t =
-          Sphere.nearest_raw
-            (Array.unsafe_get spheres at)
-            (Array.unsafe_get spheres (at + 1))
-            (Array.unsafe_get spheres (at + 2))
-            (Array.unsafe_get spheres (at + 3))
-            ray
-        in
-        if t < !best || (t = !best && Array.unsafe_get numbers place < !number)
-        then (
-          best := t;
-          number := if any then place else Array.unsafe_get numbers place)
-      done;
-      if any && !number >= 0 then code := Bvh_tree.none
-      else (
-        code := Array.unsafe_get stack !top;
-        decr top))
+(* Whether a ray enters the box at [at] nearer than [best]: on no axis does it
+   leave the box before it has entered on another, and the box lies neither
+   behind the origin nor beyond [best]. [x_in] and [x_out] are the places of the
+   sides by which the ray enters and leaves on the x axis, [x_scale] is 1 over
+   the direction's x, and [x_scale'] that with [slack].
+
+   Each comparison is written as a rejection, so that NaN, which is 0 times
+   infinity, rejects nothing; and it pays to stop at the first. *)
+let[@inline always] enters (boxes : Bvh_tree.boxes) at best ox oy oz x_scale
+    y_scale z_scale x_scale' y_scale' z_scale' x_in y_in z_in x_out y_out z_out
+    =
+  let in_x = (side boxes (at + x_in) -. ox) *. x_scale
+  and out_x = (side boxes (at + x_out) -. ox) *. x_scale' in
+  if in_x > best || out_x < 0. then false
+  else
+    let in_y = (side boxes (at + y_in) -. oy) *. y_scale
+    and out_y = (side boxes (at + y_out) -. oy) *. y_scale' in
+    if in_x > out_y || in_y > out_x || in_y > best || out_y < 0. then false
     else
+      let in_z = (side boxes (at + z_in) -. oz) *. z_scale
+      and out_z = (side boxes (at + z_out) -. oz) *. z_scale' in
+      not
+        (in_x > out_z || in_z > out_x || in_y > out_z || in_z > out_y
+       || in_z > best || out_z < 0.)
+
+let[@inline] plane_distance bvh k ray =
+  let p = bvh.planes and at = 6 * k in
+  Plane.nearest_raw p.%(at)
+    p.%(at + 1)
+    p.%(at + 2)
+    p.%(at + 3)
+    p.%(at + 4)
+    p.%(at + 5)
+    ray
+
+let[@inline] sphere_distance (tree : Bvh_tree.t) place ray =
+  let s = tree.spheres and at = 4 * place in
+  Sphere.nearest_raw s.%(at) s.%(at + 1) s.%(at + 2) s.%(at + 3) ray
+
+(* Goes through the tree, the nearer child of each node first, with the other
+   children on [stack]. It narrows the ray's reach to the nearest hit on a sphere
+   and is that sphere's place among the leaves, or -1. With [any] it stops at the
+   first hit that it meets. [plane] is the number of a plane that is already hit
+   at the end of the reach. *)
+let[@inline always] descend ~any tree stack plane (ray : Raw_ray.t) =
+  let { Bvh_tree.boxes; links; spheres; numbers; root } = tree in
+  let best = ref ray.reach and found = ref (-1) and number = ref plane in
+  let ox = ray.ox and oy = ray.oy and oz = ray.oz in
+  let x_scale = 1. /. ray.dx
+  and y_scale = 1. /. ray.dy
+  and z_scale = 1. /. ray.dz in
+  let x_scale' = x_scale *. slack
+  and y_scale' = y_scale *. slack
+  and z_scale' = z_scale *. slack in
+  let x_back = Bool.to_int (x_scale < 0.)
+  and y_back = Bool.to_int (y_scale < 0.)
+  and z_back = Bool.to_int (z_scale < 0.) in
+  (* bit k tells whether the ray runs backwards along axis k *)
+  let backwards = x_back lor (y_back lsl 1) lor (z_back lsl 2) in
+  let x_in = x_back and y_in = 2 + y_back and z_in = 4 + z_back in
+  let x_out = 1 - x_back and y_out = 3 - y_back and z_out = 5 - z_back in
+  Array.unsafe_set stack 0 Bvh_tree.none;
+  let code = ref root and top = ref 0 in
+  while !code <> Bvh_tree.none do
+    if !code >= 0 then
       let node = !code in
-      let at = 12 * node in
-      let missed =
-        misses !best
-          ((side boxes (at + x_in) -. ox) *. in_scale_x)
-          ((side boxes (at + y_in) -. oy) *. in_scale_y)
-          ((side boxes (at + z_in) -. oz) *. in_scale_z)
-          ((side boxes (at + x_out) -. ox) *. out_scale_x)
-          ((side boxes (at + y_out) -. oy) *. out_scale_y)
-          ((side boxes (at + z_out) -. oz) *. out_scale_z)
-      and missed' =
-        let at = at + 6 in
-        misses !best
-          ((side boxes (at + x_in) -. ox) *. in_scale_x)
-          ((side boxes (at + y_in) -. oy) *. in_scale_y)
-          ((side boxes (at + z_in) -. oz) *. in_scale_z)
-          ((side boxes (at + x_out) -. ox) *. out_scale_x)
-          ((side boxes (at + y_out) -. oy) *. out_scale_y)
-          ((side boxes (at + z_out) -. oz) *. out_scale_z)
+      let at = 12 * node and link = 3 * node in
+      let enters_first =
+        enters boxes at !best ox oy oz x_scale y_scale z_scale x_scale' y_scale'
+          z_scale' x_in y_in z_in x_out y_out z_out
+      and enters_second =
+        enters boxes (at + 6) !best ox oy oz x_scale y_scale z_scale x_scale'
+          y_scale' z_scale' x_in y_in z_in x_out y_out z_out
       in
-      let link = 3 * node in
-      let first = Array.unsafe_get links link
-      and second = Array.unsafe_get links (link + 1) in
-      if not missed then
-        if not missed' then (
+      if enters_first then
+        if enters_second then (
+          let first = link_at links link
+          and second = link_at links (link + 1) in
           incr top;
-          if (octant lsr Array.unsafe_get links (link + 2)) land 1 = 0 then (
-            Array.unsafe_set stack !top second;
-            code := first)
+          if (backwards lsr link_at links (link + 2)) land 1 = 0 then (
+            code := first;
+            Array.unsafe_set stack !top second)
           else (
-            Array.unsafe_set stack !top first;
-            code := second))
-        else code := first
-      else if not missed' then code := second
+            code := second;
+            Array.unsafe_set stack !top first))
+        else code := link_at links link
+      else if enters_second then code := link_at links (link + 1)
       else (
         code := Array.unsafe_get stack !top;
         decr top)
+    else (
+      for place = Bvh_tree.leaf_first !code to Bvh_tree.leaf_last !code do
+        let at = 4 * place in
+        let x = spheres.%(at) and y = spheres.%(at + 1) in
+        let z = spheres.%(at + 2) and radius = spheres.%(at + 3) in
+        let middle = Sphere.middle x y z ray in
+        let discriminant = Sphere.discriminant x y z radius ray middle in
+        (* nearly all spheres are missed: that is told from hits first *)
+        if discriminant >= 0. then
+          let half = sqrt discriminant in
+          let near = middle -. half in
+          let t = if near > 0. then near else middle +. half in
+          let candidate = Array.unsafe_get numbers place in
+          if t > 0. && (t < !best || (t = !best && candidate < !number)) then (
+            best := t;
+            found := place;
+            number := candidate)
+      done;
+      if any && !found >= 0 then code := Bvh_tree.none
+      else (
+        code := Array.unsafe_get stack !top;
+        decr top))
   done;
   ray.reach <- !best;
-  !number
+  !found
 
-let nearest bvh stack ray = walk ~any:false bvh stack ray
+(* {1 Questions} *)
 
-let blocked bvh stack blockers slot (ray : Raw_ray.t) =
-  let slot = slot land (slots - 1) in
-  let last = Array.unsafe_get blockers slot in
-  let spheres = bvh.tree.spheres in
-  if
-    last >= 0
-    &&
-    let at = 4 * last in
-    Sphere.nearest_raw
-      (Array.unsafe_get spheres at)
-      (Array.unsafe_get spheres (at + 1))
-      (Array.unsafe_get spheres (at + 2))
-      (Array.unsafe_get spheres (at + 3))
-      ray
-    < ray.reach
-  then true
-  else
-    let place = walk ~any:true bvh stack ray in
-    if place >= 0 && place < max_int then Array.unsafe_set blockers slot place;
-    place <> Query.no_shape
+let nearest bvh stack (ray : Raw_ray.t) =
+  let plane = ref Query.no_shape in
+  for k = 0 to Array.length bvh.plane_numbers - 1 do
+    let t = plane_distance bvh k ray in
+    if t < ray.reach then (
+      ray.reach <- t;
+      plane := Array.unsafe_get bvh.plane_numbers k)
+  done;
+  let place = descend ~any:false bvh.tree stack !plane ray in
+  if place < 0 then !plane else bvh.tree.numbers.(place)
+
+let rec some_plane_blocks bvh (ray : Raw_ray.t) k =
+  k < Array.length bvh.plane_numbers
+  && (plane_distance bvh k ray < ray.reach || some_plane_blocks bvh ray (k + 1))
+
+(* How many series of rays have their last blocker remembered. *)
+let max_series = 64
+
+(* Neighbouring points are often in the shadow of the same sphere: the one that
+   last blocked a ray of the series is asked first. *)
+let blocked bvh stack last_blockers series (ray : Raw_ray.t) =
+  let series = series land (max_series - 1) in
+  let last = last_blockers.(series) in
+  (last >= 0 && sphere_distance bvh.tree last ray < ray.reach)
+  || some_plane_blocks bvh ray 0
+  ||
+  let place = descend ~any:true bvh.tree stack Query.no_shape ray in
+  if place >= 0 then last_blockers.(series) <- place;
+  place >= 0
+
+(* {1 Building} *)
+
+let numbered choose shapes =
+  let keep number shape =
+    Option.map (fun chosen -> (number, chosen)) (choose shape)
+  in
+  Array.of_seq (Seq.filter_map Fun.id (Seq.mapi keep (Array.to_seq shapes)))
+
+let plane_numbers { Plane.point; normal } =
+  let n = (normal :> Vec3.t) in
+  [ point.x; point.y; point.z; n.x; n.y; n.z ]
 
 let index ?(domains = 1) shapes =
-  let spheres = ref [] and planes = ref [] in
-  Array.iteri
-    (fun number -> function
-      | Shape.Sphere s -> spheres := (number, s) :: !spheres
-      | Plane p -> planes := (number, p) :: !planes)
-    shapes;
-  let planes = Array.of_list (List.rev !planes) in
-  let flat (_, { Plane.point; normal }) =
-    let n = (normal :> Vec3.t) in
-    [| point.x; point.y; point.z; n.x; n.y; n.z |]
+  let spheres =
+    numbered (function Shape.Sphere s -> Some s | Plane _ -> None) shapes
+  and planes =
+    numbered (function Shape.Plane p -> Some p | Sphere _ -> None) shapes
   in
   let bvh =
     {
-      tree = Bvh_tree.build ~domains (Array.of_list (List.rev !spheres));
-      planes = Array.concat (Array.to_list (Array.map flat planes));
+      tree = Bvh_tree.build ~domains spheres;
+      planes =
+        Array.of_list
+          (List.concat_map
+             (fun (_, p) -> plane_numbers p)
+             (Array.to_list planes));
       plane_numbers = Array.map fst planes;
     }
   in
   fun () ->
-    let stack = Array.make (Bvh_tree.max_depth + 1) 0 in
+    let stack = Array.make (Bvh_tree.max_depth + 1) Bvh_tree.none
+    and last_blockers = Array.make max_series (-1) in
     {
       Query.nearest = (fun ray -> nearest bvh stack ray);
-      blocked =
-        (let blockers = Array.make slots (-1) in
-         fun slot ray -> blocked bvh stack blockers slot ray);
+      blocked = (fun series ray -> blocked bvh stack last_blockers series ray);
     }

@@ -2,10 +2,11 @@ open Bigarray
 open Raylab_parallel
 
 type boxes = (float, float64_elt, c_layout) Array1.t
+type links = (int, int_elt, c_layout) Array1.t
 
 type t = {
   boxes : boxes;
-  links : int array;
+  links : links;
   spheres : float array;
   numbers : int array;
   root : int;
@@ -29,7 +30,7 @@ let bins_for count = Int.min max_bins (4 + (count / 8))
 
 (* What testing the two boxes of an inner node costs, where testing a sphere
    costs 1. *)
-let node_cost = 3.
+let node_cost = 5.
 
 (* Below this depth nodes are halved whatever the heuristic says. Halving goes on
    for at most 40 levels more: no array has 2^40 elements. *)
@@ -264,13 +265,13 @@ let divide tree space node split first stop =
   | Bins (axis, last_bin) ->
       write_box_of_bins tree space node 0 axis 0 last_bin;
       write_box_of_bins tree space node 1 axis (last_bin + 1) (space.bins - 1);
-      tree.links.((3 * node) + 2) <- axis;
+      tree.links.{(3 * node) + 2} <- axis;
       partition tree space axis last_bin first stop
   | Halves | Leaf ->
       let middle = (first + stop) / 2 in
       write_box_of_spheres tree space node 0 first middle;
       write_box_of_spheres tree space node 1 middle stop;
-      tree.links.((3 * node) + 2) <- 0;
+      tree.links.{(3 * node) + 2} <- 0;
       middle
 
 (* A part of the tree that is still to be built: whose child it is, which spheres
@@ -283,7 +284,7 @@ let rec grow tree next_node space ~small later part =
   let { parent; first; stop; depth } = part in
   if stop - first <= small then later part
   else
-    let link code = tree.links.(parent) <- code in
+    let link code = tree.links.{parent} <- code in
     match find_split tree space first stop depth with
     | Leaf -> link (leaf first (stop - first))
     | split ->
@@ -331,13 +332,14 @@ let build ~domains numbered =
   let tree =
     {
       boxes = Array1.create Float64 C_layout (12 * inner);
-      links = Array.make (root_link + 1) none;
+      links = Array1.create Int C_layout (root_link + 1);
       spheres;
       numbers = Array.map fst numbered;
       root = none;
     }
   in
+  tree.links.{root_link} <- none;
   if count > 0 then
     grow_all ~domains tree (Atomic.make 0)
       { parent = root_link; first = 0; stop = count; depth = 0 };
-  { tree with root = tree.links.(root_link) }
+  { tree with root = tree.links.{root_link} }

@@ -1,13 +1,16 @@
 (** The tree of a bounding volume hierarchy, and how it is built. *)
 
+(* Large arrays outside the heap take memory only for the part that is used. *)
+
 type boxes = (float, Bigarray.float64_elt, Bigarray.c_layout) Bigarray.Array1.t
+type links = (int, Bigarray.int_elt, Bigarray.c_layout) Bigarray.Array1.t
 
 type t = private {
   boxes : boxes;
       (** twelve numbers for each inner node: for each of its two children the
           least and greatest x, y and z of a box that holds it, in the order
           xmin xmax ymin ymax zmin zmax *)
-  links : int array;
+  links : links;
       (** three for each inner node: the code of each child, and the axis (0, 1
           or 2) along which the first child comes before the second *)
   spheres : float array;

@@ -32,6 +32,16 @@ val nearest_raw : float -> float -> float -> float -> Raw_ray.t -> float
 (** [nearest_raw x y z radius ray] is {!nearest} for the sphere of [radius]
     around (x, y, z), for inner loops that keep spheres as numbers. *)
 
+val middle : float -> float -> float -> Raw_ray.t -> float
+(** [middle x y z ray] is the distance at which [ray]'s line is nearest to (x,
+    y, z): half way between the {!intersections} with a sphere around it. *)
+
+val discriminant :
+  float -> float -> float -> float -> Raw_ray.t -> float -> float
+(** [discriminant x y z radius ray middle] is the square of half the distance
+    between the {!intersections}, negative if there are none. [middle] is
+    {!middle}. *)
+
 val normal : t -> Vec3.t -> Direction.t
 (** [normal sphere point] is the unit vector from the centre towards [point]:
     for a point of the sphere, the outward normal. The centre itself is given

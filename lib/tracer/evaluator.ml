@@ -1,4 +1,5 @@
 open Raylab_geometry
+open Raylab_geometry.Numbers
 open Raylab_scene
 
 (* {1 Scenes as numbers} *)
@@ -153,8 +154,8 @@ let find_hit t number =
   and y = ray.oy +. (distance *. ray.dy)
   and z = ray.oz +. (distance *. ray.dz) in
   let o = t.scene.objects and at = object_size * number in
-  let cx = o.(at) and cy = o.(at + 1) and cz = o.(at + 2) in
-  let radius = o.(at + 3) in
+  let cx = o.%(at) and cy = o.%(at + 1) and cz = o.%(at + 2) in
+  let radius = o.%(at + 3) in
   if radius > 0. then
     let vx = x -. cx and vy = y -. cy and vz = z -. cz in
     let squared = (vx *. vx) +. (vy *. vy) +. (vz *. vz) in
@@ -220,9 +221,9 @@ let tell_facing_away t at cosine =
 let[@inline] add_light t at cosine falloff =
   let l = t.scene.lights and sum = t.light in
   let k = Saturate.limit (cosine *. falloff) in
-  let r = Saturate.limit (k *. l.(at + 4))
-  and g = Saturate.limit (k *. l.(at + 5))
-  and b = Saturate.limit (k *. l.(at + 6)) in
+  let r = Saturate.limit (k *. l.%(at + 4))
+  and g = Saturate.limit (k *. l.%(at + 5))
+  and b = Saturate.limit (k *. l.%(at + 6)) in
   set sum (sum.r +. r) (sum.g +. g) (sum.b +. b);
   match t.observe with
   | None -> ()
@@ -233,7 +234,7 @@ let[@inline] add_light t at cosine falloff =
 
 let directional_light t at =
   let l = t.scene.lights and hit = t.hit in
-  let lx = l.(at + 1) and ly = l.(at + 2) and lz = l.(at + 3) in
+  let lx = l.%(at + 1) and ly = l.%(at + 2) and lz = l.%(at + 3) in
   let cosine = (hit.nx *. lx) +. (hit.ny *. ly) +. (hit.nz *. lz) in
   if cosine > 0. then (
     Raw_ray.set_direction t.shadow_ray lx ly lz;
@@ -243,7 +244,7 @@ let directional_light t at =
 
 let point_light t at =
   let l = t.scene.lights and hit = t.hit and shadow = t.shadow_ray in
-  let lx = l.(at + 1) and ly = l.(at + 2) and lz = l.(at + 3) in
+  let lx = l.%(at + 1) and ly = l.%(at + 2) and lz = l.%(at + 3) in
   let wx = lx -. hit.x and wy = ly -. hit.y and wz = lz -. hit.z in
   let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz)
   and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
@@ -271,16 +272,16 @@ let gather_light t =
     (hit.z +. (hit.offset *. hit.nz));
   let at = ref 0 in
   while !at < Array.length l do
-    if l.(!at) > 0. then point_light t !at else directional_light t !at;
+    if l.%(!at) > 0. then point_light t !at else directional_light t !at;
     at := !at + light_size
   done
 
 (* Puts the light that the object at [at] returns into the register [color]. *)
 let diffuse t at =
   let o = t.scene.objects in
-  let ar = o.(at + albedo_at)
-  and ag = o.(at + albedo_at + 1)
-  and ab = o.(at + albedo_at + 2) in
+  let ar = o.%(at + albedo_at)
+  and ag = o.%(at + albedo_at + 1)
+  and ab = o.%(at + albedo_at + 2) in
   let light = t.light in
   if ar > 0. || ag > 0. || ab > 0. then gather_light t else set light 0. 0. 0.;
   set t.color (ar *. light.r) (ag *. light.g) (ab *. light.b)
@@ -338,7 +339,7 @@ let rec trace t left =
     diffuse t at;
     let dr = t.color.r and dg = t.color.g and db = t.color.b in
     let lr = t.light.r and lg = t.light.g and lb = t.light.b in
-    let mirror = o.(at + mirror_at) in
+    let mirror = o.%(at + mirror_at) in
     if mirror > 0. then (
       reflect t;
       if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
@@ -347,9 +348,9 @@ let rec trace t left =
       let seen = t.color in
       set seen (mirror *. seen.r) (mirror *. seen.g) (mirror *. seen.b))
     else set t.color 0. 0. 0.;
-    let er = o.(at + emission_at)
-    and eg = o.(at + emission_at + 1)
-    and eb = o.(at + emission_at + 2) in
+    let er = o.%(at + emission_at)
+    and eg = o.%(at + emission_at + 1)
+    and eb = o.%(at + emission_at + 2) in
     let { r = mr; g = mg; b = mb } = t.color in
     set t.color (er +. dr +. mr) (eg +. dg +. mg) (eb +. db +. mb);
     match t.observe with

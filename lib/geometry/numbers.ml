@@ -1,0 +1,1 @@
+let[@inline] ( .%() ) (a : float array) i = Array.unsafe_get a i
