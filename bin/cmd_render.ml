@@ -103,9 +103,13 @@ let render options () =
   check_size format options scene.camera;
   let progress = Progress.start ~quiet:options.quiet in
   let started = Unix.gettimeofday () in
+  let domains =
+    Option.value options.domains ~default:(Parallel.default_domains ())
+  in
   let picture, tally =
-    Render.picture ?domains:options.domains ?rows:options.rows
-      ~on_progress:(Progress.update progress) (Trace.prepare scene)
+    Render.picture ~domains ?rows:options.rows
+      ~on_progress:(Progress.update progress)
+      (Trace.prepare ~domains scene)
   in
   let seconds = Unix.gettimeofday () -. started in
   Progress.clear progress;

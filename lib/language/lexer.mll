@@ -1,4 +1,9 @@
 {
+let number (lexbuf : Lexing.lexbuf) =
+  Parser.NUMBER
+    (Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
+       ~stop:lexbuf.lex_curr_pos)
+
 let word text =
   match Keyword.token text with
   | Some token -> token
@@ -13,6 +18,6 @@ let number =
 rule token = parse
   | blank+ | '#' [^ '\n']* { token lexbuf }
   | '\n' { Lexing.new_line lexbuf; token lexbuf }
-  | number as text { Parser.NUMBER (float_of_string text) }
+  | number { number lexbuf }
   | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#']+ as text { word text }
   | eof { Parser.EOF }

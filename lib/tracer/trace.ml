@@ -3,7 +3,7 @@ open Raylab_scene
 
 type t = { scene : Scene.t; ready : Evaluator.scene }
 
-let prepare ?(index = fun shapes -> Bvh.index shapes) (scene : Scene.t) =
+let prepare ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
   { scene; ready = Evaluator.prepare ~index scene }
 
 let scene t = t.scene

@@ -3,6 +3,7 @@ let () =
     [
       Test_span.suite;
       Test_source.suite;
+      Test_decimal.suite;
       Test_lexer.suite;
       Test_keyword.suite;
       Test_grammar.suite;

@@ -1,0 +1,1 @@
+val suite : unit Alcotest.test
