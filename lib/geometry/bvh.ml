@@ -53,7 +53,7 @@ let[@inline] plane_distance bvh k ray =
     ray
 
 let[@inline] sphere_distance (tree : Bvh_tree.t) place ray =
-  let s = tree.spheres and at = 4 * place in
+  let s = tree.leaves.spheres and at = 4 * place in
   Sphere.nearest_raw s.%(at) s.%(at + 1) s.%(at + 2) s.%(at + 3) ray
 
 (* Goes through the tree, the nearer child of each node first, with the other
@@ -62,7 +62,8 @@ let[@inline] sphere_distance (tree : Bvh_tree.t) place ray =
    first hit that it meets. [plane] is the number of a plane that is already hit
    at the end of the reach. *)
 let[@inline always] descend ~any tree stack plane (ray : Raw_ray.t) =
-  let { Bvh_tree.boxes; links; spheres; numbers; root } = tree in
+  let { Bvh_tree.boxes; links; leaves; root } = tree in
+  let { Bvh_leaves.spheres; numbers } = leaves in
   let best = ref ray.reach and found = ref (-1) and number = ref plane in
   let ox = ray.ox and oy = ray.oy and oz = ray.oz in
   let x_scale = 1. /. ray.dx
@@ -144,7 +145,7 @@ let nearest bvh stack (ray : Raw_ray.t) =
       plane := Array.unsafe_get bvh.plane_numbers k)
   done;
   let place = descend ~any:false bvh.tree stack !plane ray in
-  if place < 0 then !plane else bvh.tree.numbers.(place)
+  if place < 0 then !plane else bvh.tree.leaves.numbers.(place)
 
 let rec some_plane_blocks bvh (ray : Raw_ray.t) k =
   k < Array.length bvh.plane_numbers

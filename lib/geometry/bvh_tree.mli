@@ -13,9 +13,7 @@ type t = private {
   links : links;
       (** three for each inner node: the code of each child, and the axis (0, 1
           or 2) along which the first child comes before the second *)
-  spheres : float array;
-      (** x, y, z and radius of each sphere, in the order of the leaves *)
-  numbers : int array;  (** the number of each sphere, in the same order *)
+  leaves : Bvh_leaves.t;  (** the spheres, in the order of the leaves *)
   root : int;  (** the code of the whole tree *)
 }
 (** The type for trees. An inner node's code is its number; a leaf's is
@@ -36,6 +34,4 @@ val max_depth : int
 
 val build : domains:int -> (int * Sphere.t) array -> t
 (** [build ~domains spheres] is the tree over these spheres, each with its
-    number. A node is split where the surface-area heuristic says that a ray
-    will have least to test, looked for at 16 places on each axis (I. Wald,
-    {e On fast construction of SAH-based bounding volume hierarchies}, 2007). *)
+    number, split as {!Bvh_split} chooses. *)

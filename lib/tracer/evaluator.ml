@@ -2,76 +2,6 @@ open Raylab_geometry
 open Raylab_geometry.Numbers
 open Raylab_scene
 
-(* {1 Scenes as numbers} *)
-
-type scene = {
-  source : Scene.t;
-  objects : float array;
-  lights : float array;
-  index : Query.index;
-  offset : float;
-}
-
-(* An object is twelve numbers: centre and radius of a sphere; emission; albedo;
-   mirror; one spare, so that objects begin on even places. *)
-let object_size = 12
-let emission_at = 4
-let albedo_at = 7
-let mirror_at = 10
-
-(* Stands for the radius of what is no sphere. *)
-let no_radius = 0.
-
-let object_numbers (o : Object.t) =
-  let { Surface.emission = e; albedo = a; mirror } =
-    Surface.meaning o.surface
-  in
-  let cx, cy, cz, radius =
-    match o.shape with
-    | Sphere { cx; cy; cz; radius } -> (cx, cy, cz, radius)
-    | Plane { normal; _ } ->
-        let { Vec3.x; y; z } = (normal :> Vec3.t) in
-        (x, y, z, no_radius)
-  in
-  [| cx; cy; cz; radius; e.r; e.g; e.b; a.r; a.g; a.b; mirror; 0. |]
-
-(* A light is seven numbers: 1 for a point light and 0 for a directional one;
-   the position, or the direction towards the light; the power. *)
-let light_size = 7
-
-let light_numbers light =
-  let power = Light.power light in
-  let kind, { Vec3.x; y; z } =
-    match light.source with
-    | Point position -> (1., position)
-    | Directional along -> (0., (Direction.neg along :> Vec3.t))
-  in
-  [| kind; x; y; z; power.r; power.g; power.b |]
-
-(* [flatten size numbers items] is the numbers of all items, one after another. *)
-let flatten size numbers items =
-  let flat = Array.make (size * List.length items) 0. in
-  List.iteri
-    (fun k item -> Array.blit (numbers item) 0 flat (k * size) size)
-    items;
-  flat
-
-(* The original's offset of 1e-5 suits scenes whose canvas and depth measure a
-   few units; as a part of those it suits the same scenes at any scale. *)
-let relative_offset = 1e-5
-
-let prepare ~index (source : Scene.t) =
-  let shapes =
-    Array.of_list (List.map (fun (o : Object.t) -> o.shape) source.objects)
-  in
-  {
-    source;
-    objects = flatten object_size object_numbers source.objects;
-    lights = flatten light_size light_numbers source.lights;
-    index = index shapes;
-    offset = relative_offset *. Camera.scale source.camera;
-  }
-
 (* {1 Registers} *)
 
 type hit = {
@@ -87,7 +17,7 @@ type hit = {
 type color = { mutable r : float; mutable g : float; mutable b : float }
 
 type t = {
-  scene : scene;
+  scene : Flat_scene.t;
   observe : (Event.t -> unit) option;
   query : Query.t;
   tally : Tally.t;
@@ -98,7 +28,7 @@ type t = {
   color : color;
 }
 
-let create ?observe scene =
+let create ?observe (scene : Flat_scene.t) =
   let black () = { r = 0.; g = 0.; b = 0. } in
   {
     scene;
@@ -153,7 +83,7 @@ let find_hit t number =
   let x = ray.ox +. (distance *. ray.dx)
   and y = ray.oy +. (distance *. ray.dy)
   and z = ray.oz +. (distance *. ray.dz) in
-  let o = t.scene.objects and at = object_size * number in
+  let o = t.scene.objects and at = Flat_scene.object_size * number in
   let cx = o.%(at) and cy = o.%(at + 1) and cz = o.%(at + 2) in
   let radius = o.%(at + 3) in
   if radius > 0. then
@@ -184,7 +114,7 @@ let hit_of t number =
 
 (* {1 Light} *)
 
-let number_of_light at = (at / light_size) + 1
+let number_of_light at = (at / Flat_scene.light_size) + 1
 
 (* What blocks the shadow ray is of interest to an observer only. *)
 let tell_blocker observe t at =
@@ -273,15 +203,15 @@ let gather_light t =
   let at = ref 0 in
   while !at < Array.length l do
     if l.%(!at) > 0. then point_light t !at else directional_light t !at;
-    at := !at + light_size
+    at := !at + Flat_scene.light_size
   done
 
 (* Puts the light that the object at [at] returns into the register [color]. *)
 let diffuse t at =
   let o = t.scene.objects in
-  let ar = o.%(at + albedo_at)
-  and ag = o.%(at + albedo_at + 1)
-  and ab = o.%(at + albedo_at + 2) in
+  let ar = o.%(at + Flat_scene.albedo_at)
+  and ag = o.%(at + Flat_scene.albedo_at + 1)
+  and ab = o.%(at + Flat_scene.albedo_at + 2) in
   let light = t.light in
   if ar > 0. || ag > 0. || ab > 0. then gather_light t else set light 0. 0. 0.;
   set t.color (ar *. light.r) (ag *. light.g) (ab *. light.b)
@@ -335,11 +265,11 @@ let rec trace t left =
     t.tally.hits <- t.tally.hits + 1;
     find_hit t number;
     tell_hit t number;
-    let o = t.scene.objects and at = object_size * number in
+    let o = t.scene.objects and at = Flat_scene.object_size * number in
     diffuse t at;
     let dr = t.color.r and dg = t.color.g and db = t.color.b in
     let lr = t.light.r and lg = t.light.g and lb = t.light.b in
-    let mirror = o.%(at + mirror_at) in
+    let mirror = o.%(at + Flat_scene.mirror_at) in
     if mirror > 0. then (
       reflect t;
       if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
@@ -348,9 +278,9 @@ let rec trace t left =
       let seen = t.color in
       set seen (mirror *. seen.r) (mirror *. seen.g) (mirror *. seen.b))
     else set t.color 0. 0. 0.;
-    let er = o.%(at + emission_at)
-    and eg = o.%(at + emission_at + 1)
-    and eb = o.%(at + emission_at + 2) in
+    let er = o.%(at + Flat_scene.emission_at)
+    and eg = o.%(at + Flat_scene.emission_at + 1)
+    and eb = o.%(at + Flat_scene.emission_at + 2) in
     let { r = mr; g = mg; b = mb } = t.color in
     set t.color (er +. dr +. mr) (eg +. dg +. mg) (eb +. db +. mb);
     match t.observe with

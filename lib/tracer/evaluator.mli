@@ -9,17 +9,10 @@
 open Raylab_geometry
 open Raylab_scene
 
-type scene
-(** The type for scenes made ready: what the loop reads, as arrays of numbers.
-*)
-
-val prepare : index:(Shape.t array -> Query.index) -> Scene.t -> scene
-(** [prepare ~index scene] is [scene] made ready, with [index] to find hits. *)
-
 type t
 (** The type for evaluators: the registers that one domain works with. *)
 
-val create : ?observe:(Event.t -> unit) -> scene -> t
+val create : ?observe:(Event.t -> unit) -> Flat_scene.t -> t
 (** [create scene] is a new evaluator for [scene]. It tells [observe] each event
     of what it evaluates; without it no event is made. *)
 

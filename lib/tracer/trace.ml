@@ -1,10 +1,10 @@
 open Raylab_geometry
 open Raylab_scene
 
-type t = { scene : Scene.t; ready : Evaluator.scene }
+type t = { scene : Scene.t; ready : Flat_scene.t }
 
 let prepare ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
-  { scene; ready = Evaluator.prepare ~index scene }
+  { scene; ready = Flat_scene.prepare ~index scene }
 
 let scene t = t.scene
 let evaluator ?observe t = Evaluator.create ?observe t.ready
