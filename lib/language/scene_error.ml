@@ -8,9 +8,9 @@ type t = {
 
 let draw_excerpt source span (place : Source.place) =
   let line, before, length = Source.excerpt source span in
-  let number = string_of_int place.line in
+  let number = Printf.sprintf "%5d" place.line in
   let margin = String.make (String.length number) ' ' in
-  Printf.sprintf "  %s | %s\n  %s | %s%s" number line margin
+  Printf.sprintf "%s | %s\n%s | %s%s" number line margin
     (String.make before ' ') (String.make length '^')
 
 let make source span ?(advice = "") message =

@@ -24,8 +24,8 @@ An error names the place, shows it, and says what to write instead.
   [1]
   $ cat err
   broken.scene:2:16-21: error: unknown surface 'difuse'
-    2 | sphere 0 0 6 1 difuse red
-      |                ^^^^^^
+      2 | sphere 0 0 6 1 difuse red
+        |                ^^^^^^
   expected a surface: diffusive, reflective, luminous or mixed. Did you mean 'diffusive'?
 
 Warnings leave the scene as good as it was.
@@ -99,62 +99,62 @@ A word that is not known, a number that is none, an end too early:
 
   $ scene 'spere 0 0 6 1 reflective'
   s.scene:2:1-5: error: unknown keyword 'spere'
-    2 | spere 0 0 6 1 reflective
-      | ^^^^^
+      2 | spere 0 0 6 1 reflective
+        | ^^^^^
   [1]
   $ scene 'sphere 0 0 six 1 reflective'
   s.scene:2:12-14: error: 'six' is not a number
-    2 | sphere 0 0 six 1 reflective
-      |            ^^^
+      2 | sphere 0 0 six 1 reflective
+        |            ^^^
   [1]
   $ scene 'sphere 0 0 6 1'
   s.scene:2:15: error: the file ends where a surface should follow
-    2 | sphere 0 0 6 1
-      |               ^
+      2 | sphere 0 0 6 1
+        |               ^
   [1]
   $ scene 'sphere 0 0 6 1 reflective blue'
   s.scene:2:27-30: error: a shape should stand here, not 'blue'
-    2 | sphere 0 0 6 1 reflective blue
-      |                           ^^^^
+      2 | sphere 0 0 6 1 reflective blue
+        |                           ^^^^
   [1]
 
 Values that do not make sense are all reported, not only the first.
 
   $ scene 'lights directional -1 white 0 0 0\nsphere 0 0 1e999 0 diffusive 1 -1 1'
   s.scene:2:20-21: error: the intensity must not be negative, not -1
-    2 | lights directional -1 white 0 0 0
-      |                    ^^
+      2 | lights directional -1 white 0 0 0
+        |                    ^^
   s.scene:2:29-33: error: the direction must not be the zero vector
-    2 | lights directional -1 white 0 0 0
-      |                             ^^^^^
+      2 | lights directional -1 white 0 0 0
+        |                             ^^^^^
   s.scene:3:12-16: error: the z of the centre must be a finite number, not 1e999
-    3 | sphere 0 0 1e999 0 diffusive 1 -1 1
-      |            ^^^^^
+      3 | sphere 0 0 1e999 0 diffusive 1 -1 1
+        |            ^^^^^
   s.scene:3:18: error: the radius must be greater than 0, not 0
-    3 | sphere 0 0 1e999 0 diffusive 1 -1 1
-      |                  ^
+      3 | sphere 0 0 1e999 0 diffusive 1 -1 1
+        |                  ^
   s.scene:3:32-33: error: the green of the surface's colour must not be negative, not -1
-    3 | sphere 0 0 1e999 0 diffusive 1 -1 1
-      |                                ^^
+      3 | sphere 0 0 1e999 0 diffusive 1 -1 1
+        |                                ^^
   [1]
   $ scene 'imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective'
   s.scene:2:1-7: error: imWidth is set a second time
-    2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
-      | ^^^^^^^
+      2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
+        | ^^^^^^^
   s.scene:2:20-21: error: raydepth must be a whole number from 0 to 1000000, not -1
-    2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
-      |                    ^^
+      2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
+        |                    ^^
   s.scene:2:34-35: error: the blue of bcolor must not be negative, not -2
-    2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
-      |                                  ^^
+      2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
+        |                                  ^^
   s.scene:2:49-53: error: the normal must not be the zero vector
-    2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
-      |                                                 ^^^^^
+      2 | imWidth 5 raydepth -1 bcolor 0 0 -2 plane 0 0 5 0 0 0 reflective
+        |                                                 ^^^^^
   [1]
   $ scene 'raydepth 1.5'
   s.scene:2:10-12: error: raydepth must be a whole number from 0 to 1000000, not 1.5
-    2 | raydepth 1.5
-      |          ^^^
+      2 | raydepth 1.5
+        |          ^^^
   [1]
 
 What is missing:
