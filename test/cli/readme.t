@@ -13,10 +13,3 @@ The mistake in it is answered as it says:
   $ raylab check my.scene 2> answer
   [1]
   $ diff promised answer
-  1,2c1,2
-  < my.scene:9:28-33: error: unknown surface 'difuse'
-  <     9 |   sphere 0 0 5   1          difuse red
-  ---
-  > my.scene:8:29-34: error: unknown surface 'difuse'
-  >     8 |   sphere 0 0 5   1          difuse red
-  [1]
