@@ -37,11 +37,54 @@ let on_a_grid =
             (oneofl [ 0.5; 1.; 2. ])))
       (list_size (1 -- 30) (Generate.ray cell)))
 
+let sphere x y z radius = Shape.sphere ~centre:(Vec3.make x y z) ~radius
+
+let some_rays =
+  QCheck2.Gen.generate ~n:300
+    ~rand:(Random.State.make [| 5 |])
+    (Generate.ray Generate.everyday)
+
+let check_same name ?domains shapes =
+  Alcotest.(check bool)
+    name true
+    (answers (Bvh.index ?domains shapes) some_rays
+    = answers (Query.brute_force shapes) some_rays)
+
+(* What gives a heuristic nothing to hold on to. *)
+let test_degenerate () =
+  check_same "nothing" [||];
+  check_same "one sphere" [| sphere 0. 0. 3. 1. |];
+  check_same "one centre"
+    (Array.init 20_000 (fun k ->
+         sphere 0. 0. 3. (1. +. (float_of_int k /. 1e5))));
+  check_same "all alike" (Array.make 20_000 (sphere 0. 0. 3. 1.));
+  check_same "each twice as far as the last"
+    (Array.init 900 (fun k -> sphere 0. 0. (ldexp 1. (k - 400)) 0.1));
+  let small k =
+    sphere
+      (float_of_int (k mod 100) /. 10.)
+      (float_of_int (k / 100) /. 10.)
+      4. 0.04
+  in
+  check_same "one around all"
+    (Array.init 10_001 (fun k -> if k = 0 then sphere 0. 0. 0. 1e6 else small k))
+
+(* Enough spheres for the tree to be built in parts. *)
+let test_domains () =
+  let state = Random.State.make [| 11 |] in
+  let number () = Random.State.float state 20. -. 10. in
+  let shapes =
+    Array.init 60_000 (fun _ -> sphere (number ()) (number ()) (number ()) 0.05)
+  in
+  check_same "four domains" ~domains:4 shapes
+
 let holds name count gen = Property.holds name ~count gen agrees
 
 let suite =
   ( "Bvh",
     [
+      Alcotest.test_case "degenerate" `Quick test_degenerate;
+      Alcotest.test_case "in parts" `Quick test_domains;
       holds "as brute force" 500
         (shapes_and_rays QCheck2.Gen.(0 -- 80) Generate.everyday);
       holds "of many" 20

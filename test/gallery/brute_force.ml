@@ -1,0 +1,36 @@
+(* Every scene that is named on the command line gives the same picture, byte for
+   byte, whether hits are found by the hierarchy or by testing every shape. *)
+
+open Raylab_geometry
+open Raylab_scene
+open Raylab_language
+open Raylab_tracer
+
+(* Small: brute force takes as long as there are objects. *)
+let size = 64
+
+let picture index scene =
+  let camera = Camera.with_size ~width:size ~height:size scene.Scene.camera in
+  fst (Render.picture (Trace.prepare ~index (Scene.with_camera camera scene)))
+
+let is_same path =
+  match Scene_file.load path with
+  | Error _ ->
+      Printf.eprintf "%s is in error\n" path;
+      false
+  | Ok scene ->
+      let same =
+        Picture.equal
+          (picture (Bvh.index ~domains:1) scene)
+          (picture Query.brute_force scene)
+      in
+      if not same then
+        Printf.eprintf "%s: the hierarchy gives another picture\n" path;
+      same
+
+let () =
+  let paths = List.tl (Array.to_list Sys.argv) in
+  let same = List.filter is_same paths in
+  Printf.printf "%d of %d pictures are those of brute force\n"
+    (List.length same) (List.length paths);
+  if List.length same < List.length paths || paths = [] then exit 1

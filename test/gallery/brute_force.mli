@@ -1,0 +1,1 @@
+(* Compares the hierarchy with brute force over the gallery. *)
