@@ -168,31 +168,26 @@ let blocked bvh stack last_blockers series (ray : Raw_ray.t) =
 
 (* {1 Building} *)
 
-let numbered choose shapes =
-  let keep number shape =
-    Option.map (fun chosen -> (number, chosen)) (choose shape)
+let planes_of shapes =
+  let plane (number, shape) =
+    match shape with
+    | Shape.Plane plane -> Some (number, plane)
+    | Sphere _ -> None
   in
-  Array.of_seq (Seq.filter_map Fun.id (Seq.mapi keep (Array.to_seq shapes)))
+  List.of_seq (Seq.filter_map plane (Array.to_seqi shapes))
 
 let plane_numbers { Plane.point; normal } =
   let n = (normal :> Vec3.t) in
   [ point.x; point.y; point.z; n.x; n.y; n.z ]
 
 let index ?(domains = 1) shapes =
-  let spheres =
-    numbered (function Shape.Sphere s -> Some s | Plane _ -> None) shapes
-  and planes =
-    numbered (function Shape.Plane p -> Some p | Sphere _ -> None) shapes
-  in
+  let planes = planes_of shapes in
   let bvh =
     {
-      tree = Bvh_tree.build ~domains spheres;
+      tree = Bvh_tree.build ~domains (Bvh_leaves.of_shapes shapes);
       planes =
-        Array.of_list
-          (List.concat_map
-             (fun (_, p) -> plane_numbers p)
-             (Array.to_list planes));
-      plane_numbers = Array.map fst planes;
+        Array.of_list (List.concat_map (fun (_, p) -> plane_numbers p) planes);
+      plane_numbers = Array.of_list (List.map fst planes);
     }
   in
   fun () ->

@@ -6,8 +6,12 @@ type t = private {
   numbers : int array;  (** the number of each sphere, in the same order *)
 }
 
-val of_array : (int * Sphere.t) array -> t
-(** [of_array spheres] is these spheres, each with its number. *)
+val of_shapes : Shape.t array -> t
+(** [of_shapes shapes] is the spheres among [shapes], each with the number that
+    is its place there. *)
+
+val count : t -> int
+(** [count leaves] is the number of spheres. *)
 
 val centre : t -> int -> int -> float
 (** [centre leaves place axis] is a coordinate of the centre of the sphere at

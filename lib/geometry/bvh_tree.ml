@@ -95,15 +95,15 @@ let grow_all ~domains tree next_node all =
       (Parallel.iter ~domains ~worker:Bvh_split.make_space
          ~count:(Array.length parts) (fun space k -> grow_rest space parts.(k)))
 
-let build ~domains numbered =
-  let count = Array.length numbered in
+let build ~domains leaves =
+  let count = Bvh_leaves.count leaves in
   let inner = Int.max 0 (count - 1) in
   let root_link = 3 * inner in
   let tree =
     {
       boxes = Array1.create Float64 C_layout (12 * inner);
       links = Array1.create Int C_layout (root_link + 1);
-      leaves = Bvh_leaves.of_array numbered;
+      leaves;
       root = none;
     }
   in

@@ -32,6 +32,6 @@ val leaf_last : int -> int
 val max_depth : int
 (** [max_depth] is a bound on the number of inner nodes above any leaf. *)
 
-val build : domains:int -> (int * Sphere.t) array -> t
-(** [build ~domains spheres] is the tree over these spheres, each with its
-    number, split as {!Bvh_split} chooses. *)
+val build : domains:int -> Bvh_leaves.t -> t
+(** [build ~domains leaves] is the tree over these spheres, which it brings into
+    the order of the leaves; split as {!Bvh_split} chooses. *)

@@ -22,62 +22,83 @@ let check_value report rule name span value =
 let check_number report rule name { Syntax.value; span } =
   check_value report rule name span value
 
-let check_parts report rule name span parts =
-  List.iteri
-    (fun k (part, value) ->
-      let word = Source.word report.source span k in
-      check_value report rule
-        (Printf.sprintf "the %s of %s" part name)
-        word value)
-    parts
+(* {1 The words of a light or an object}
 
-let check_vector report name { Syntax.value = { Vec3.x; y; z } as v; span } =
-  (* finding the words takes time, and nearly all vectors are right *)
-  if not (Vec3.is_finite v) then
-    check_parts report Finite name span [ ("x", x); ("y", y); ("z", z) ]
+   Each check takes the words that it is about, one after another. *)
 
-let check_direction report name ({ Syntax.value; span } as vector) =
-  check_vector report name vector;
-  if Vec3.equal value Vec3.zero then
-    error report span
+type words = { report : report; mutable offset : int }
+
+let peek words = Source.next_word words.report.source words.offset
+
+let next words =
+  let span = peek words in
+  words.offset <- Span.stop span;
+  span
+
+let skip_keyword words = ignore (next words : Span.t)
+
+let check_next words rule name value =
+  check_value words.report rule name (next words) value
+
+let check_part words rule name part value =
+  check_next words rule (Printf.sprintf "the %s of %s" part name) value
+
+let check_vector words name { Vec3.x; y; z } =
+  check_part words Finite name "x" x;
+  check_part words Finite name "y" y;
+  check_part words Finite name "z" z
+
+let check_direction words name vector =
+  let start = Span.start (peek words) in
+  check_vector words name vector;
+  if Vec3.equal vector Vec3.zero then
+    error words.report
+      (Span.make ~start ~stop:words.offset)
       (name ^ " must not be the zero vector")
       ~advice:"give at least one number that is not 0, such as 0 1 0"
 
-let check_color report name { Syntax.value = { Color.r; g; b }; span } =
-  let right v = Number.broken Non_negative v = None in
-  if not (right r && right g && right b) then
-    check_parts report Non_negative name span
-      [ ("red", r); ("green", g); ("blue", b) ]
+let check_color words name { Color.r; g; b } =
+  match Keyword.token (Source.slice words.report.source (peek words)) with
+  | Some (COLOR _) -> skip_keyword words
+  | _ ->
+      check_part words Non_negative name "red" r;
+      check_part words Non_negative name "green" g;
+      check_part words Non_negative name "blue" b
 
-let check_light report { Syntax.source; intensity; color; _ } =
-  check_number report Non_negative "the intensity" intensity;
-  check_color report "the light's colour" color;
+let check_light words { Syntax.source; intensity; color; _ } =
+  skip_keyword words;
+  check_next words Non_negative "the intensity" intensity;
+  check_color words "the light's colour" color;
   match source with
-  | Directional direction -> check_direction report "the direction" direction
-  | Point position -> check_vector report "the light's position" position
+  | Directional direction -> check_direction words "the direction" direction
+  | Point position -> check_vector words "the light's position" position
 
-let check_shape report = function
+let check_shape words shape =
+  skip_keyword words;
+  match shape with
   | Syntax.Sphere { centre; radius } ->
-      check_vector report "the centre" centre;
-      check_number report Positive "the radius" radius
+      check_vector words "the centre" centre;
+      check_next words Positive "the radius" radius
   | Plane { point; normal } ->
-      check_vector report "the point" point;
-      check_direction report "the normal" normal
+      check_vector words "the point" point;
+      check_direction words "the normal" normal
 
-let rec check_surface report = function
+let rec check_surface words surface =
+  skip_keyword words;
+  match surface with
   | Syntax.Reflective -> ()
   | Diffusive color | Luminous color ->
-      check_color report "the surface's colour" color
+      check_color words "the surface's colour" color
   | Mixed parts ->
       List.iter
         (fun (weight, surface) ->
-          check_number report Non_negative "the weight" weight;
-          check_surface report surface)
+          check_next words Non_negative "the weight" weight;
+          check_surface words surface)
         parts
 
-let check_object report { Syntax.shape; surface; _ } =
-  check_shape report shape;
-  check_surface report surface
+let check_object words { Syntax.shape; surface; _ } =
+  check_shape words shape;
+  check_surface words surface
 
 (* {1 The header} *)
 
@@ -111,7 +132,7 @@ let check_whole report name ~least ~most { Syntax.value; span } =
       (Printf.sprintf "%s must be %s, not %s" name number
          (Source.quote report.source span))
 
-let check_setting report = function
+let check_setting report (keyword : Span.t) = function
   | Syntax.Image_width n ->
       check_whole report "imWidth" ~least:1 ~most:Camera.max_size n
   | Image_height n ->
@@ -121,11 +142,12 @@ let check_setting report = function
   | Depth n -> check_number report Positive "depth" n
   | Ray_depth n ->
       check_whole report "raydepth" ~least:0 ~most:Scene.max_ray_depth n
-  | Background c -> check_color report "bcolor" c
+  | Background c ->
+      check_color { report; offset = Span.stop keyword } "bcolor" c
 
-let check_header report { Syntax.header; header_end; _ } =
+let check_header report header header_end =
   let check seen (span, setting) =
-    check_setting report setting;
+    check_setting report span setting;
     let name = keyword setting in
     (match List.assoc_opt name seen with
     | Some first ->
@@ -149,59 +171,78 @@ let check_header report { Syntax.header; header_end; _ } =
         "every scene starts with imWidth, imHeight, canvWidth, canvHeight and \
          depth, each followed by a number"
 
-let errors source (syntax : Syntax.t) =
-  let report = { source; errors = [] } in
-  check_header report syntax;
-  List.iter (check_light report) syntax.lights;
-  List.iter (check_object report) syntax.objects;
-  let by_start (a, _) (b, _) = Int.compare (Span.start a) (Span.start b) in
-  List.map snd (List.stable_sort by_start (List.rev report.errors))
+(* {1 Building}
 
-(* {1 Building a scene in which no error was found} *)
+   The library checks what it is given, by the same rules; where it refuses, the
+   checks above say what is wrong, and where. *)
 
-let light { Syntax.source; intensity; color; line } =
-  let intensity = intensity.value and color = color.value in
+let light { Syntax.source; intensity; color; line; _ } =
   match source with
-  | Directional d -> Light.directional ~line ~intensity ~color d.value
-  | Point p -> Light.point ~line ~intensity ~color p.value
+  | Directional direction -> Light.directional ~line ~intensity ~color direction
+  | Point position -> Light.point ~line ~intensity ~color position
 
 let shape = function
-  | Syntax.Sphere { centre; radius } ->
-      Shape.sphere ~centre:centre.value ~radius:radius.value
-  | Plane { point; normal } ->
-      Shape.plane ~point:point.value ~normal:normal.value
+  | Syntax.Sphere { centre; radius } -> Shape.sphere ~centre ~radius
+  | Plane { point; normal } -> Shape.plane ~point ~normal
 
 let rec surface = function
-  | Syntax.Diffusive c -> Surface.diffusive c.value
+  | Syntax.Diffusive c -> Surface.diffusive c
   | Reflective -> Surface.reflective
-  | Luminous c -> Surface.luminous c.value
+  | Luminous c -> Surface.luminous c
   | Mixed parts ->
-      let part ({ Syntax.value; _ }, s) = (value, surface s) in
-      Surface.mixed (List.map part parts)
+      Surface.mixed (List.map (fun (weight, s) -> (weight, surface s)) parts)
 
-let object_ { Syntax.shape = s; surface = f; line } =
+let object_ { Syntax.shape = s; surface = f; line; _ } =
   Object.make ~line (shape s) (surface f)
 
-let build { Syntax.header; lights; objects; _ } =
-  let find choose = List.find_map (fun (_, setting) -> choose setting) header in
-  (* [check_header] saw to it that the required settings are there *)
-  let number choose = (Option.get (find choose) : Syntax.number).value in
-  let whole choose = int_of_float (number choose) in
-  let camera =
-    Camera.make
-      ~width:(whole (function Image_width n -> Some n | _ -> None))
-      ~height:(whole (function Image_height n -> Some n | _ -> None))
-      ~canvas_width:(number (function Canvas_width n -> Some n | _ -> None))
-      ~canvas_height:(number (function Canvas_height n -> Some n | _ -> None))
-      ~depth:(number (function Depth n -> Some n | _ -> None))
+(* [build_all report build check start items] is what [build] makes of each item.
+   One that it refuses is reported. *)
+let build_all report build check start items =
+  let build_or_report item =
+    match build item with
+    | built -> Some built
+    | exception Invalid_argument _ ->
+        check { report; offset = start item } item;
+        None
   in
-  Scene.make camera
-    ?background:(find (function Background c -> Some c.value | _ -> None))
-    ?ray_depth:
-      (find (function Ray_depth n -> Some (int_of_float n.value) | _ -> None))
-    ~lights:(List.map light lights) ~objects:(List.map object_ objects)
+  List.filter_map build_or_report items
 
-let scene source syntax =
-  match errors source syntax with
-  | [] -> Ok (build syntax)
-  | errors -> Error errors
+let camera header =
+  let find choose = List.find_map (fun (_, setting) -> choose setting) header in
+  (* [check_header] saw to it that these are there *)
+  let number choose = (Option.get (find choose)).Syntax.value in
+  let whole choose = int_of_float (number choose) in
+  Camera.make
+    ~width:(whole (function Syntax.Image_width n -> Some n | _ -> None))
+    ~height:(whole (function Syntax.Image_height n -> Some n | _ -> None))
+    ~canvas_width:
+      (number (function Syntax.Canvas_width n -> Some n | _ -> None))
+    ~canvas_height:
+      (number (function Syntax.Canvas_height n -> Some n | _ -> None))
+    ~depth:(number (function Syntax.Depth n -> Some n | _ -> None))
+
+let build_scene header lights objects =
+  let find choose = List.find_map (fun (_, setting) -> choose setting) header in
+  Scene.make (camera header) ~lights ~objects
+    ?background:(find (function Syntax.Background c -> Some c | _ -> None))
+    ?ray_depth:
+      (find (function
+        | Syntax.Ray_depth n -> Some (int_of_float n.value)
+        | _ -> None))
+
+let in_order errors =
+  let by_start (a, _) (b, _) = Int.compare (Span.start a) (Span.start b) in
+  List.map snd (List.stable_sort by_start (List.rev errors))
+
+let scene source { Syntax.header; header_end; lights; objects } =
+  let report = { source; errors = [] } in
+  check_header report header header_end;
+  let lights =
+    build_all report light check_light (fun l -> l.Syntax.start) lights
+  in
+  let objects =
+    build_all report object_ check_object (fun o -> o.Syntax.start) objects
+  in
+  match report.errors with
+  | [] -> Ok (build_scene header lights objects)
+  | errors -> Error (in_order errors)

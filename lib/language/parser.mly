@@ -10,7 +10,8 @@ open Raylab_scene
 let span (start : Lexing.position) (stop : Lexing.position) =
   Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum
 
-let line (start : Lexing.position) = start.pos_lnum
+let start (place : Lexing.position) = place.pos_cnum
+let line (place : Lexing.position) = place.pos_lnum
 let located value start stop = { Syntax.value; span = span start stop }
 %}
 
@@ -47,17 +48,23 @@ header:
 (* each with the span of its keyword *)
 setting:
   | "imWidth" n = number
-      { (span $startpos $endpos($1), Syntax.Image_width n) }
+      { (span $startpos $endpos($1),
+         Syntax.Image_width (located n $startpos(n) $endpos(n))) }
   | "imHeight" n = number
-      { (span $startpos $endpos($1), Syntax.Image_height n) }
+      { (span $startpos $endpos($1),
+         Syntax.Image_height (located n $startpos(n) $endpos(n))) }
   | "canvWidth" n = number
-      { (span $startpos $endpos($1), Syntax.Canvas_width n) }
+      { (span $startpos $endpos($1),
+         Syntax.Canvas_width (located n $startpos(n) $endpos(n))) }
   | "canvHeight" n = number
-      { (span $startpos $endpos($1), Syntax.Canvas_height n) }
+      { (span $startpos $endpos($1),
+         Syntax.Canvas_height (located n $startpos(n) $endpos(n))) }
   | "depth" n = number
-      { (span $startpos $endpos($1), Syntax.Depth n) }
+      { (span $startpos $endpos($1),
+         Syntax.Depth (located n $startpos(n) $endpos(n))) }
   | "raydepth" n = number
-      { (span $startpos $endpos($1), Syntax.Ray_depth n) }
+      { (span $startpos $endpos($1),
+         Syntax.Ray_depth (located n $startpos(n) $endpos(n))) }
   | "bcolor" c = color
       { (span $startpos $endpos($1), Syntax.Background c) }
 
@@ -72,16 +79,18 @@ some_lights:
 light:
   | "directional" intensity = number color = color direction = vector
       { { Syntax.source = Directional direction; intensity; color;
-          line = line $startpos } }
+          start = start $startpos; line = line $startpos } }
   | "spherical" intensity = number color = color position = vector
       { { Syntax.source = Point position; intensity; color;
-          line = line $startpos } }
+          start = start $startpos; line = line $startpos } }
 
 objects:
   | (* none *) { [] }
   | "objects" { [] }
   | objects = objects shape = shape surface = surface
-      { { Syntax.shape; surface; line = line $startpos(shape) } :: objects }
+      { { Syntax.shape; surface; start = start $startpos(shape);
+          line = line $startpos(shape) }
+        :: objects }
 
 shape:
   | "sphere" centre = vector radius = number { Syntax.Sphere { centre; radius } }
@@ -99,13 +108,11 @@ parts:
       { (weight, surface) :: parts }
 
 number:
-  | n = NUMBER { located n $startpos $endpos }
+  | n = NUMBER { n }
 
 vector:
-  | x = NUMBER y = NUMBER z = NUMBER
-      { located (Vec3.make x y z) $startpos $endpos }
+  | x = NUMBER y = NUMBER z = NUMBER { Vec3.make x y z }
 
 color:
-  | r = NUMBER g = NUMBER b = NUMBER
-      { located (Color.make r g b) $startpos $endpos }
-  | c = COLOR { located c $startpos $endpos }
+  | r = NUMBER g = NUMBER b = NUMBER { Color.make r g b }
+  | c = COLOR { c }

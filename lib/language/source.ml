@@ -87,21 +87,22 @@ let quote source span =
   if Span.stop span - start <= longest_quote then printable (slice source span)
   else printable (String.sub source.text start longest_quote) ^ "..."
 
-let word source span k =
-  let text = source.text and stop = Span.stop span in
-  let is_blank i = String.contains " \t\r\n\011\012" text.[i] in
-  let rec skip until i =
-    if i >= stop || until i then i else skip until (i + 1)
+let next_word source offset =
+  let text = source.text in
+  let length = String.length text in
+  let is_blank c = String.contains " \t\r\n\011\012" c in
+  let rec skip holds i =
+    if i < length && holds text.[i] then skip holds (i + 1) else i
   in
-  let rec find k i =
-    if i >= stop then span
-    else if text.[i] = '#' then find k (skip (fun i -> text.[i] = '\n') i)
-    else if is_blank i then find k (i + 1)
+  let rec find i =
+    let start = skip is_blank i in
+    if start < length && text.[start] = '#' then
+      find (skip (fun c -> c <> '\n') start)
     else
-      let after = skip (fun i -> is_blank i || text.[i] = '#') i in
-      if k = 0 then Span.make ~start:i ~stop:after else find (k - 1) after
+      let stop = skip (fun c -> not (is_blank c || c = '#')) start in
+      Span.make ~start ~stop
   in
-  find k (Span.start span)
+  find offset
 
 let widest_excerpt = 72
 

@@ -31,9 +31,10 @@ val quote : t -> Span.t -> string
 (** [quote source span] is the text of [span], {!printable} and shortened where
     it is long. *)
 
-val word : t -> Span.t -> int -> Span.t
-(** [word source span k] is the [k]-th word, counted from 0, that starts in
-    [span], comments left out; [span] itself if there are fewer. *)
+val next_word : t -> int -> Span.t
+(** [next_word source offset] is the first word that starts at [offset] or after
+    it, comments left out; the empty span at the end of the text if there is
+    none. *)
 
 val excerpt : t -> Span.t -> string * int * int
 (** [excerpt source span] is [(line, before, length)]: the {!printable} text of

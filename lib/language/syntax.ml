@@ -4,43 +4,39 @@ open Raylab_scene
 type 'a located = { value : 'a; span : Span.t }
 (** A value and the text that it was read from. *)
 
-type number = float located
-type vector = Vec3.t located
-
-type color = Color.t located
-(** Three numbers or a name. *)
-
 type setting =
-  | Image_width of number
-  | Image_height of number
-  | Canvas_width of number
-  | Canvas_height of number
-  | Depth of number
-  | Background of color
-  | Ray_depth of number  (** A setting of the header. *)
+  | Image_width of float located
+  | Image_height of float located
+  | Canvas_width of float located
+  | Canvas_height of float located
+  | Depth of float located
+  | Background of Color.t
+  | Ray_depth of float located  (** A setting of the header. *)
 
-type source = Directional of vector | Point of vector
+type source = Directional of Vec3.t | Point of Vec3.t
 
 type light = {
   source : source;
-  intensity : number;
-  color : color;
+  intensity : float;
+  color : Color.t;
+  start : int;  (** the offset of the first byte *)
   line : int;  (** counted from 1 *)
 }
 
 type shape =
-  | Sphere of { centre : vector; radius : number }
-  | Plane of { point : vector; normal : vector }
+  | Sphere of { centre : Vec3.t; radius : float }
+  | Plane of { point : Vec3.t; normal : Vec3.t }
 
 type surface =
-  | Diffusive of color
+  | Diffusive of Color.t
   | Reflective
-  | Luminous of color
-  | Mixed of (number * surface) list
+  | Luminous of Color.t
+  | Mixed of (float * surface) list
 
 type object_ = {
   shape : shape;
   surface : surface;
+  start : int;  (** the offset of the first byte *)
   line : int;  (** counted from 1 *)
 }
 

@@ -65,21 +65,20 @@ let test_name () =
     "bytes as they are" "\x00\xff"
     (Source.text (source "\x00\xff"))
 
-(* Offsets: 1'0 2'2 #4 ... \n7 3'9. *)
+(* Offsets: 1'0 2'2 #4 ... \n7 3'9, and the end at 10. *)
 let test_word () =
   let source = source "1 2 # x\n 3" in
-  let whole = span 0 10 in
-  let check k (start, stop) =
-    let word = Source.word source whole k in
+  let check offset (start, stop) =
+    let word = Source.next_word source offset in
     Alcotest.(check (pair int int))
-      (Printf.sprintf "word %d" k)
+      (Printf.sprintf "from %d" offset)
       (start, stop)
       (Span.start word, Span.stop word)
   in
   check 0 (0, 1);
   check 1 (2, 3);
-  check 2 (9, 10);
-  check 3 (0, 10)
+  check 3 (9, 10);
+  check 10 (10, 10)
 
 let test_quote () =
   Alcotest.(check string)
