@@ -6,11 +6,10 @@ open Raylab_picture
 
 type options = {
   scene : string;
+  view : Options.view;
   out : string option;
   domains : int option;
-  size : (int * int) option;
   rows : Render.rows option;
-  grey : bool;
   stats : bool;
   quiet : bool;
 }
@@ -30,16 +29,11 @@ let target { scene; out; _ } =
          say where it goes with -o"
   | None -> File (Filename.remove_extension scene ^ ".bmp")
 
-let is_same_file a b =
-  match (Unix.stat a, Unix.stat b) with
-  | a, b -> a.st_dev = b.st_dev && a.st_ino = b.st_ino
-  | exception Unix.Unix_error _ -> false
-
 let check_target options target =
   match target with
   | Standard_output -> Picture_file.Bmp
   | File path -> (
-      if is_same_file path options.scene then
+      if Command.is_same_file path options.scene then
         Command.usage_error "%s is the scene; the picture would replace it" path;
       match Picture_file.format_of_path path with
       | Ok format -> format
@@ -56,13 +50,6 @@ let write format target picture =
   | Error message -> Command.write_error message
 
 (* {1 Rendering} *)
-
-let adjust options scene =
-  let scene = if options.grey then Scene.greyscale scene else scene in
-  match options.size with
-  | None -> scene
-  | Some (width, height) ->
-      Scene.with_camera (Camera.with_size ~width ~height scene.camera) scene
 
 let check_rows options { Camera.height; _ } =
   match options.rows with
@@ -98,7 +85,7 @@ let print_stats (tally : Tally.t) ~pixels ~seconds =
 let render options () =
   let target = target options in
   let format = check_target options target in
-  let scene = adjust options (Command.load_scene options.scene) in
+  let scene = Options.adjust options.view (Command.load_scene options.scene) in
   check_rows options scene.camera;
   check_size format options scene.camera;
   let progress = Progress.start ~quiet:options.quiet in
@@ -124,43 +111,9 @@ let render options () =
 
 (* {1 The command line} *)
 
-let conv parse print ~docv =
-  let parse text =
-    Result.map_error (fun message -> `Msg message) (parse text)
-  in
-  Arg.conv ~docv (parse, print)
-
-let positive text =
-  if text <> "" && String.for_all (fun c -> '0' <= c && c <= '9') text then
-    int_of_string_opt text
-  else None
-
-(* [pair separator text] is the two numbers in a text such as 640x480. *)
-let pair separator text =
-  match String.split_on_char separator text with
-  | [ a; b ] -> (
-      match (positive a, positive b) with
-      | Some a, Some b -> Some (a, b)
-      | _ -> None)
-  | _ -> None
-
-let size =
-  let fits n = 1 <= n && n <= Camera.max_size in
-  let parse text =
-    match pair 'x' (String.lowercase_ascii text) with
-    | Some (width, height) when fits width && fits height -> Ok (width, height)
-    | _ ->
-        Error
-          (Printf.sprintf
-             "'%s' is not a size: expected width and height in pixels, such as \
-              640x480"
-             text)
-  in
-  conv parse ~docv:"WxH" (fun ppf (w, h) -> Format.fprintf ppf "%dx%d" w h)
-
 let rows =
   let parse text =
-    match pair '-' text with
+    match Options.pair '-' text with
     | Some (first, last) when first <= last -> Ok { Render.first; last }
     | _ ->
         Error
@@ -169,19 +122,19 @@ let rows =
               such as 0-99"
              text)
   in
-  conv parse ~docv:"A-B" (fun ppf { Render.first; last } ->
+  Options.conv parse ~docv:"A-B" (fun ppf { Render.first; last } ->
       Format.fprintf ppf "%d-%d" first last)
 
 let domains =
   let parse text =
-    match positive text with
+    match Options.natural text with
     | Some n when 1 <= n && n <= Parallel.max_domains -> Ok n
     | _ ->
         Error
           (Printf.sprintf "'%s' is not a number of domains from 1 to %d" text
              Parallel.max_domains)
   in
-  conv parse ~docv:"DOMAINS" Format.pp_print_int
+  Options.conv parse ~docv:"DOMAINS" Format.pp_print_int
 
 let options =
   let open Arg in
@@ -202,23 +155,12 @@ let options =
     value
     & opt (some domains) None
     & info [ "j"; "domains" ] ~docv:"DOMAINS" ~doc
-  and size =
-    let doc =
-      "Make the picture $(docv) pixels large, whatever the scene says. It \
-       shows the same canvas, stretched if its proportions differ."
-    in
-    value & opt (some size) None & info [ "size" ] ~docv:"WxH" ~doc
   and rows =
     let doc =
       "Render only rows $(docv), both included, counted from 0 at the top. The \
        picture holds just these rows."
     in
     value & opt (some rows) None & info [ "rows" ] ~docv:"A-B" ~doc
-  and grey =
-    let doc =
-      "Render in greyscale: take every colour of the scene by its luminance."
-    in
-    value & flag & info [ "grey"; "gray" ] ~doc
   and stats =
     let doc =
       "Print the rays by kind, hits, time and rays per second to standard \
@@ -229,11 +171,11 @@ let options =
     let doc = "Print neither progress nor where the picture went." in
     value & flag & info [ "q"; "quiet" ] ~doc
   in
-  let make scene out domains size rows grey stats quiet =
-    { scene; out; domains; size; rows; grey; stats; quiet }
+  let make scene view out domains rows stats quiet =
+    { scene; view; out; domains; rows; stats; quiet }
   in
   Term.(
-    const make $ Command.scene_arg $ out $ domains $ size $ rows $ grey $ stats
+    const make $ Command.scene_arg $ Options.view $ out $ domains $ rows $ stats
     $ quiet)
 
 let default = Command.run Term.(const render $ options)

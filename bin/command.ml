@@ -39,6 +39,11 @@ let load_scene path =
       List.iter print_error errors;
       raise (Ended Exit_code.scene_error)
 
+let is_same_file a b =
+  match (Unix.stat a, Unix.stat b) with
+  | a, b -> a.st_dev = b.st_dev && a.st_ino = b.st_ino
+  | exception Unix.Unix_error _ -> false
+
 let run action =
   let run action =
     match action () with () -> Exit_code.ok | exception Ended code -> code

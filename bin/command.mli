@@ -32,6 +32,9 @@ val load_scene : string -> Raylab_scene.Scene.t
 (** [load_scene path] is the scene at [path], or it prints what is wrong with it
     on standard error and ends the program. *)
 
+val is_same_file : string -> string -> bool
+(** [is_same_file a b] is whether there is one file that both paths lead to. *)
+
 val print_error : Raylab_language.Scene_error.t -> unit
 (** [print_error error] prints [error] on standard error. *)
 

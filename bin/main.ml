@@ -1,6 +1,6 @@
 open Cmdliner
 
-let commands = [ Cmd_render.cmd; Cmd_check.cmd ]
+let commands = [ Cmd_render.cmd; Cmd_explain.cmd; Cmd_check.cmd ]
 
 let man =
   [
@@ -35,7 +35,7 @@ let argv =
 
 (* Ends at once, whatever the other domains are at, and leaves no file behind. *)
 let end_by_signal code _ =
-  List.iter Sys.remove (Raylab_picture.Picture_file.temporary ());
+  List.iter Sys.remove (Raylab_picture.Atomic_file.temporary ());
   Unix._exit code
 
 let () =

@@ -9,10 +9,11 @@ type t = {
           {!no_shape}. Of shapes hit at the same distance it is the one with the
           lowest number. The distance of the hit becomes the ray's reach. *)
   blocked : int -> Raw_ray.t -> bool;
-      (** [blocked series ray] is whether [ray] hits any shape. It changes
-          nothing in the answer which [series], a number of one's choice, a ray
-          belongs to; it is quickest if the rays of one series, such as those to
-          one light, lie close together. *)
+      (** [blocked series ray] is whether [ray] hits any shape. The ray's reach
+          may be another afterwards. It changes nothing in the answer which
+          [series], a number of one's choice, a ray belongs to; it is quickest
+          if the rays of one series, such as those to one light, lie close
+          together. *)
 }
 (** The type for ways to ask. One of these may keep notes for itself, on which
     no answer depends; so each domain needs one of its own. *)

@@ -20,17 +20,9 @@ val check_size : format -> width:int -> height:int -> (unit, string) result
 
 val save : format -> path:string -> Picture.t -> (unit, string) result
 (** [save format ~path picture] writes [picture] to [path], so that the file
-    appears whole or not at all: it is written beside [path] under another name,
-    checked, flushed to the disk and then renamed. If anything fails the result
-    is a message that names [path] and the reason, and what was at [path] before
-    is untouched. A symbolic link is followed. What is not a regular file, such
-    as a device, is written to directly. *)
+    appears whole or not at all; see {!Atomic_file.save}. It is checked before
+    it appears. *)
 
 val output : format -> out_channel -> Picture.t -> (unit, string) result
 (** [output format channel picture] writes [picture] to [channel], in binary
     mode, and flushes it. *)
-
-val temporary : unit -> string list
-(** [temporary ()] is the files that a {!save} or {!output} under way would
-    leave behind if the program ended now: what a signal handler has to remove.
-*)

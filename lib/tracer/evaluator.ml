@@ -134,12 +134,16 @@ let is_blocked t at =
   | Some observe ->
       let ray = Ray.of_raw t.shadow_ray in
       observe (Shadow_ray { light = number_of_light at; ray }));
+  let reach = t.shadow_ray.reach in
   let blocked = t.query.blocked at t.shadow_ray in
   if blocked then (
     tally.blocked <- tally.blocked + 1;
     match t.observe with
     | None -> ()
-    | Some observe -> tell_blocker observe t at);
+    | Some observe ->
+        (* the answer may have shortened the ray *)
+        t.shadow_ray.reach <- reach;
+        tell_blocker observe t at);
   blocked
 
 let tell_facing_away t at cosine =
@@ -187,8 +191,9 @@ let point_light t at =
     let scale = 1. /. way in
     Raw_ray.set_direction shadow (vx *. scale) (vy *. scale) (vz *. scale);
     shadow.reach <- way -. hit.offset;
-    (* there is no way to a light where the shadow ray would start *)
-    if way = 0. || not (is_blocked t at) then
+    (* there is no way to a light where the shadow ray would start, and none that
+       a double could hold to one far beyond *)
+    if way = 0. || way = infinity || not (is_blocked t at) then
       add_light t at cosine (Saturate.limit (1. /. squared)))
   else tell_facing_away t at cosine
 

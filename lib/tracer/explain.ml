@@ -11,7 +11,7 @@ type verdict =
       point : Vec3.t;
     }
   | Lit of {
-      shadow_ray : Ray.t;
+      shadow_ray : Ray.t option;
       cosine : float;
       falloff : float;
       contribution : Color.t;
@@ -47,22 +47,26 @@ let events scene evaluate =
 
 let unexpected () = invalid_arg "Explain: events in a wrong order"
 
-let rec read_lights (scene : Scene.t) (events : Event.t list) =
+let rec read_lights scene (events : Event.t list) =
   let light number verdict rest =
     let others, rest = read_lights scene rest in
-    ( { number; light = List.nth scene.lights (number - 1); verdict } :: others,
+    ( { number; light = Trace.numbered_light scene number; verdict } :: others,
       rest )
   in
   match events with
   | Faces_away { light = k; cosine } :: rest ->
       light k (Faces_away { cosine }) rest
   | Shadow_ray { light = k; ray } :: Blocked { by; t; point; _ } :: rest ->
-      let blocker = List.nth scene.objects (by - 1) in
+      let blocker = Trace.numbered_object scene by in
       light k (Blocked { shadow_ray = ray; by; blocker; t; point }) rest
   | Shadow_ray { light = k; ray }
     :: Lit { cosine; falloff; contribution; _ }
     :: rest ->
-      light k (Lit { shadow_ray = ray; cosine; falloff; contribution }) rest
+      light k
+        (Lit { shadow_ray = Some ray; cosine; falloff; contribution })
+        rest
+  | Lit { light = k; cosine; falloff; contribution } :: rest ->
+      light k (Lit { shadow_ray = None; cosine; falloff; contribution }) rest
   | _ -> ([], events)
 
 let rec read_ray scene ray left (events : Event.t list) =
@@ -75,7 +79,7 @@ let rec read_ray scene ray left (events : Event.t list) =
       let reflection, rest = read_reflection scene rest in
       match (rest : Event.t list) with
       | Mixed { emitted; light; diffused; mirrored; color } :: rest ->
-          let object_ = List.nth scene.objects (hit.number - 1) in
+          let object_ = Trace.numbered_object scene hit.number in
           let meaning = Surface.meaning object_.surface in
           let outcome =
             Hit
@@ -103,8 +107,7 @@ and read_reflection scene : Event.t list -> _ = function
 
 let read scene (events : Event.t list) =
   match events with
-  | Cast { ray; left } :: rest ->
-      fst (read_ray (Trace.scene scene) ray left rest)
+  | Cast { ray; left } :: rest -> fst (read_ray scene ray left rest)
   | _ -> unexpected ()
 
 let ray scene r = read scene (events scene (fun e -> Evaluator.ray e r))

@@ -20,7 +20,9 @@ type verdict =
       point : Vec3.t;
     }
   | Lit of {
-      shadow_ray : Ray.t;
+      shadow_ray : Ray.t option;
+          (** none if the light is where that ray would start, or too far away
+              for a double *)
       cosine : float;
       falloff : float;
       contribution : Color.t;

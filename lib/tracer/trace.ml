@@ -1,12 +1,24 @@
 open Raylab_geometry
 open Raylab_scene
 
-type t = { scene : Scene.t; ready : Flat_scene.t }
+type t = {
+  scene : Scene.t;
+  objects : Object.t array;
+  lights : Light.t array;
+  ready : Flat_scene.t;
+}
 
 let prepare ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
-  { scene; ready = Flat_scene.prepare ~index scene }
+  {
+    scene;
+    objects = Array.of_list scene.objects;
+    lights = Array.of_list scene.lights;
+    ready = Flat_scene.prepare ~index scene;
+  }
 
 let scene t = t.scene
+let numbered_object t number = t.objects.(number - 1)
+let numbered_light t number = t.lights.(number - 1)
 let evaluator ?observe t = Evaluator.create ?observe t.ready
 let ray t r = Evaluator.ray (evaluator t) r
 let pixel t ~x ~y = Evaluator.pixel (evaluator t) ~x ~y

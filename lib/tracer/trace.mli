@@ -26,6 +26,15 @@ val prepare :
 val scene : t -> Scene.t
 (** [scene t] is the scene from which [t] was prepared. *)
 
+val numbered_object : t -> int -> Object.t
+(** [numbered_object t k] is the object of number [k], counted from 1, at once
+    also in a scene of millions.
+
+    @raise Invalid_argument if there is none. *)
+
+val numbered_light : t -> int -> Light.t
+(** [numbered_light t k] is {!numbered_object} for lights. *)
+
 val evaluator : ?observe:(Event.t -> unit) -> t -> Evaluator.t
 (** [evaluator t] is a new evaluator of the scene, for the use of one domain;
     see {!Evaluator.create}. *)

@@ -25,7 +25,7 @@ Commands: none, unknown, misspelt, too many scenes.
   raylab: unknown command 'chek', did you mean 'check'?
   [124]
   $ usage no_such_command_or_file
-  raylab: unknown command 'no_such_command_or_file', must be either 'check' or 'render'.
+  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain' or 'render'.
   [124]
   $ usage render
   raylab: required argument SCENE is missing
@@ -194,6 +194,9 @@ Help and version go to standard output. A version is no place-holder.
   COMMANDS
          check [OPTION]… SCENE…
              report the errors and warnings of scenes
+  
+         explain [OPTION]… SCENE X,Y…
+             say why pixels have their colours
   
          render [OPTION]… SCENE
              render a scene to a picture file

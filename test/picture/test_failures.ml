@@ -15,8 +15,7 @@ let check_fails what reason path =
           Expect.contains what ~part:path message;
           Expect.contains what ~part:reason (String.lowercase_ascii message);
           Alcotest.(check (list string))
-            "no file in use" []
-            (Picture_file.temporary ()))
+            "no file in use" [] (Atomic_file.temporary ()))
     Sample.formats
 
 let test_directory folder =

@@ -20,7 +20,7 @@ let test_same_bytes folder =
             "as in a file" true
             (Sample.read saved = Sample.read written)))
     Sample.formats;
-  Alcotest.(check (list string)) "none in use" [] (Picture_file.temporary ())
+  Alcotest.(check (list string)) "none in use" [] (Atomic_file.temporary ())
 
 let test_full _ =
   List.iter
@@ -31,7 +31,7 @@ let test_full _ =
       | Error message -> Expect.contains "full" ~part:"No space left" message);
       Out_channel.close_noerr channel)
     Sample.formats;
-  Alcotest.(check (list string)) "none in use" [] (Picture_file.temporary ())
+  Alcotest.(check (list string)) "none in use" [] (Atomic_file.temporary ())
 
 (* The temporary file that the picture goes through is removed. *)
 let test_temporary folder =

@@ -29,7 +29,7 @@ let test_new folder =
   check_is_picture path;
   Alcotest.(check (list string))
     "no other file" [ "a.ppm" ] (Sample.files folder);
-  Alcotest.(check (list string)) "none in use" [] (Picture_file.temporary ());
+  Alcotest.(check (list string)) "none in use" [] (Atomic_file.temporary ());
   let mask = Unix.umask 0 in
   ignore (Unix.umask mask);
   Alcotest.(check int)

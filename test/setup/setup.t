@@ -34,7 +34,7 @@ list of everything that is needed for building is long, and is shortened to ALL.
   > }
   $ setup () {
   >   full_setup "$@" > out; code=$?
-  >   sed 's/ocaml\(>=5.1\)* ocaml-findlib .* libcmdliner-ocaml-dev/ALL/' out
+  >   sed 's/ocaml\(>=5.1\)* ocaml-findlib .* libyojson-ocaml-dev/ALL/' out
   >   return $code
   > }
 
@@ -59,9 +59,9 @@ Where apt has OCaml 5
 ---------------------
 
   $ full_setup debian13 0 - --dry-run
-  setup: to be installed by apt: ocaml>=5.1 ocaml-findlib ocaml-dune>=3.17 menhir>=20230415 libmenhir-ocaml-dev utop libgraphics-ocaml-dev libcamlimages-ocaml-dev libcmdliner-ocaml-dev
+  setup: to be installed by apt: ocaml>=5.1 ocaml-findlib ocaml-dune>=3.17 menhir>=20230415 libmenhir-ocaml-dev utop libgraphics-ocaml-dev libcamlimages-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   env DEBIAN_FRONTEND=noninteractive apt-get update
-  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libcamlimages-ocaml-dev libcmdliner-ocaml-dev
+  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libcamlimages-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   $ setup debian13 1000 sudo --dry-run --test
   setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27
   sudo env DEBIAN_FRONTEND=noninteractive apt-get update
@@ -96,6 +96,7 @@ Only what is missing is installed, or too old, or removed but for its settings.
   > libgraphics-ocaml-dev 5.1.2-3+b4 installed
   > libcamlimages-ocaml-dev 1:5.0.5-2+b2 installed
   > libcmdliner-ocaml-dev 1.3.0-2+b3 installed
+  > libyojson-ocaml-dev 2.2.2-1+b2 installed
   > EOF
   $ setup debian13 0 - --dry-run
   setup: to be installed by apt: ocaml-dune>=3.17 utop
@@ -282,12 +283,12 @@ Elsewhere
   > ocamlformat 0.26.2
   > EOF
   $ setup ubuntu24 1000 opam --dry-run
-  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner>=1.3.0
-  opam install dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner\>=1.3.0
+  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner>=1.3.0 yojson>=2.0.0
+  opam install dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner\>=1.3.0 yojson\>=2.0.0
   setup: to put dune on the PATH, run: eval $(opam env)
   $ setup fedora 1000 opam --dry-run --test --yes
-  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner>=1.3.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0
-  opam install --yes dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner\>=1.3.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0
+  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner>=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0
+  opam install --yes dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner\>=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0
   setup: to put dune on the PATH, run: eval $(opam env)
   $ echo 'ocaml 4.14.2' > switch
   $ setup fedora 1000 opam --dry-run
@@ -305,6 +306,7 @@ Elsewhere
   > conf-libpng 1
   > camlimages 5.0.5
   > cmdliner 1.3.0
+  > yojson 2.2.2
   > EOF
   $ setup nowhere 1000 opam --dry-run
   setup: everything is there already.

@@ -1,0 +1,170 @@
+open Cmdliner
+open Raylab_scene
+open Raylab_tracer
+open Raylab_explanation
+open Raylab_picture
+
+type form = Text | Json | Steps
+
+type options = {
+  scene : string;
+  pixels : (int * int) list;
+  view : Options.view;
+  form : form;
+  svg : string option;
+}
+
+(* {1 Which pixels} *)
+
+let check_pixel { Camera.width; height; _ } (x, y) =
+  if not (0 <= x && x < width && 0 <= y && y < height) then
+    Command.usage_error
+      "pixel %d,%d is not in the picture: x is from 0 to %d, y from 0 to %d" x y
+      (width - 1) (height - 1)
+
+let check_svg options =
+  match (options.svg, options.pixels) with
+  | Some "", _ ->
+      Command.usage_error "option --svg: the name of the file is empty"
+  | Some _, _ :: _ :: _ ->
+      Command.usage_error
+        "option --svg: the picture is of the path of one pixel, not of several"
+  | Some "-", _ when options.form <> Text ->
+      Command.usage_error
+        "option --svg: only one thing can go to standard output"
+  | Some path, _ when Command.is_same_file path options.scene ->
+      Command.usage_error "%s is the scene; the picture would replace it" path
+  | _ -> ()
+
+(* {1 What is said} *)
+
+let swatches () =
+  Swatch.detect ~is_terminal:(Unix.isatty Unix.stdout) Sys.getenv_opt
+
+let text pixels =
+  let swatches = swatches () in
+  let one (pixel, e) = Format.asprintf "%a\n" (Report.pp ~swatches ~pixel) e in
+  String.concat "\n" (List.map one pixels)
+
+let steps scene pixels =
+  let camera = (Trace.scene scene).camera in
+  let one (x, y) =
+    let events = Explain.steps scene (Camera.primary_ray camera ~x ~y) in
+    let line k event = Format.asprintf "%4d  %a\n" (k + 1) Event.pp event in
+    String.concat "" (List.of_seq (Seq.mapi line events))
+  in
+  match pixels with
+  | [ pixel ] -> one pixel
+  | _ ->
+      let titled (x, y) =
+        Printf.sprintf "pixel (%d, %d)\n%s" x y (one (x, y))
+      in
+      String.concat "\n" (List.map titled pixels)
+
+let or_end = function
+  | Ok () -> ()
+  | Error message -> Command.write_error message
+
+let explain options () =
+  check_svg options;
+  let scene = Options.adjust options.view (Command.load_scene options.scene) in
+  List.iter (check_pixel scene.camera) options.pixels;
+  let prepared = Trace.prepare scene in
+  let explained (x, y) = ((x, y), Explain.pixel prepared ~x ~y) in
+  let pixels () = List.map explained options.pixels in
+  let svg () =
+    let pixel, e = List.hd (pixels ()) in
+    Path_picture.to_svg ~pixel scene e
+  and said () =
+    match options.form with
+    | Text -> text (pixels ())
+    | Json -> Json.to_string (Json.document (pixels ()))
+    | Steps -> steps prepared options.pixels
+  in
+  match options.svg with
+  | None -> or_end (Atomic_file.print (said ()))
+  | Some "-" -> or_end (Atomic_file.print (svg ()))
+  | Some path ->
+      let write part =
+        Out_channel.with_open_bin part (fun channel ->
+            output_string channel (svg ());
+            flush channel)
+      in
+      or_end (Atomic_file.save ~path write);
+      or_end (Atomic_file.print (said ()))
+
+(* {1 The command line} *)
+
+let pixel =
+  let parse text =
+    let whole = Printf.sprintf "%d,%d" in
+    match Scanf.sscanf_opt text "%d,%d%!" (fun x y -> (x, y)) with
+    | Some (x, y) when whole x y = text -> Ok (x, y)
+    | _ ->
+        Error
+          (Printf.sprintf
+             "'%s' is not a pixel: expected x, counted from the left, and y, \
+              from the top, such as 320,240"
+             text)
+  in
+  Options.conv parse ~docv:"X,Y" (fun ppf (x, y) ->
+      Format.fprintf ppf "%d,%d" x y)
+
+let options =
+  let open Arg in
+  let pixels =
+    let doc =
+      "The pixel: $(i,X) from the left and $(i,Y) from the top of the picture, \
+       both counted from 0."
+    in
+    non_empty & pos_right 0 pixel [] & info [] ~docv:"X,Y" ~doc
+  and form =
+    let json =
+      let doc = "Print JSON instead of text; see $(b,JSON) below." in
+      (Json, info [ "json" ] ~doc)
+    and steps =
+      let doc =
+        "Print the steps of the tracer instead, numbered, one a line, in the \
+         order in which it takes them."
+      in
+      (Steps, info [ "steps" ] ~doc)
+    in
+    value & vflag Text [ json; steps ]
+  and svg =
+    let doc =
+      "Draw the path of the rays, too, from above and from the side, and write \
+       that as SVG to $(docv), which appears whole or not at all. $(b,-) is \
+       standard output; nothing else goes there then. It takes one pixel."
+    in
+    value & opt (some string) None & info [ "svg" ] ~docv:"FILE" ~doc
+  in
+  let make scene pixels view form svg = { scene; pixels; view; form; svg } in
+  Term.(const make $ Command.scene_arg $ pixels $ Options.view $ form $ svg)
+
+let cmd =
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Says why pixels of the picture of $(i,SCENE) have their colours: a \
+         summary, and then what the tracer did, ray by ray, and how the colour \
+         is put together. It is not a second opinion: the rendering itself is \
+         written down.";
+      `P
+        "On a terminal colours have a patch beside them, unless the \
+         environment variable $(b,NO_COLOR) is set.";
+      `S "JSON";
+      `P
+        "With $(b,--json) the output is one object, {\"version\": 1, \
+         \"pixels\": [PIXEL, ...]}, where";
+      `Pre Json_schema.text;
+      `P
+        "Objects and lights are numbered by their place in the scene, from 1; \
+         $(b,line) is where the file has them. A NUMBER has all its digits; it \
+         is null where the computation left the range of doubles. New members \
+         may be added; a change that breaks readers gets a new version.";
+    ]
+  in
+  Cmd.v
+    (Command.info "explain" ~doc:"say why pixels have their colours" man)
+    (Command.run Term.(const explain $ options))

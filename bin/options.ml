@@ -1,0 +1,60 @@
+open Cmdliner
+open Raylab_scene
+
+let conv parse print ~docv =
+  let parse text =
+    Result.map_error (fun message -> `Msg message) (parse text)
+  in
+  Arg.conv ~docv (parse, print)
+
+let natural text =
+  if text <> "" && String.for_all (fun c -> '0' <= c && c <= '9') text then
+    int_of_string_opt text
+  else None
+
+let pair separator text =
+  match String.split_on_char separator text with
+  | [ a; b ] -> (
+      match (natural a, natural b) with
+      | Some a, Some b -> Some (a, b)
+      | _ -> None)
+  | _ -> None
+
+type view = { size : (int * int) option; grey : bool }
+
+let size =
+  let fits n = 1 <= n && n <= Camera.max_size in
+  let parse text =
+    match pair 'x' (String.lowercase_ascii text) with
+    | Some (width, height) when fits width && fits height -> Ok (width, height)
+    | _ ->
+        Error
+          (Printf.sprintf
+             "'%s' is not a size: expected width and height in pixels, such as \
+              640x480"
+             text)
+  in
+  conv parse ~docv:"WxH" (fun ppf (w, h) -> Format.fprintf ppf "%dx%d" w h)
+
+let view =
+  let open Arg in
+  let size =
+    let doc =
+      "Make the picture $(docv) pixels large, whatever the scene says. It \
+       shows the same canvas, stretched if its proportions differ."
+    in
+    value & opt (some size) None & info [ "size" ] ~docv:"WxH" ~doc
+  and grey =
+    let doc =
+      "Render in greyscale: take every colour of the scene by its luminance."
+    in
+    value & flag & info [ "grey"; "gray" ] ~doc
+  in
+  Term.(const (fun size grey -> { size; grey }) $ size $ grey)
+
+let adjust { size; grey } scene =
+  let scene = if grey then Scene.greyscale scene else scene in
+  match size with
+  | None -> scene
+  | Some (width, height) ->
+      Scene.with_camera (Camera.with_size ~width ~height scene.camera) scene

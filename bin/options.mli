@@ -1,0 +1,31 @@
+(** Options that several sub-commands have, and what they are made of. *)
+
+open Cmdliner
+
+(** {1 Which picture} *)
+
+type view
+(** The type for what changes the picture of a scene: options --size and --grey.
+*)
+
+val view : view Term.t
+(** [view] is these options. *)
+
+val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
+(** [adjust view scene] is [scene] as the options want it. *)
+
+(** {1 Numbers} *)
+
+val conv :
+  (string -> ('a, string) result) ->
+  (Format.formatter -> 'a -> unit) ->
+  docv:string ->
+  'a Arg.conv
+(** [conv parse print ~docv] converts arguments by [parse], whose errors are
+    messages. *)
+
+val natural : string -> int option
+(** [natural text] is the number that [text] is, if it is nothing but digits. *)
+
+val pair : char -> string -> (int * int) option
+(** [pair separator text] is the two naturals in a text such as [640x480]. *)

@@ -1,0 +1,97 @@
+open Raylab_geometry
+open Raylab_scene
+open Raylab_tracer
+
+type t = { low : Vec3.t; high : Vec3.t }
+
+let distance u v = Vec3.length (Vec3.sub u v)
+
+(* {1 What is near} *)
+
+let spheres (scene : Scene.t) =
+  List.filter_map
+    (fun (o : Object.t) ->
+      match o.shape with
+      | Sphere sphere -> Some (Sphere.centre sphere, sphere.radius)
+      | Plane _ -> None)
+    scene.objects
+
+let hits e =
+  List.map (fun ((h : Explain.surface_hit), _) -> h.hit.point) (Path.hits e)
+
+let middle = function
+  | [] -> 0.
+  | numbers ->
+      let sorted = List.sort Float.compare numbers in
+      List.nth sorted ((List.length sorted - 1) / 2)
+
+(* How far from the eye something may be. *)
+let range (scene : Scene.t) spheres hits =
+  let { Camera.canvas_width = w; canvas_height = h; depth; _ } = scene.camera in
+  let eye = Camera.eye scene.camera in
+  let usual = 2. *. Float.max depth (Float.max w h) in
+  let distances =
+    List.filter Float.is_finite
+      (List.map (distance eye) (hits @ List.map fst spheres))
+  in
+  Float.max usual (3. *. middle distances)
+
+(* {1 The box} *)
+
+let pointwise f { Vec3.x; y; z } (v : Vec3.t) =
+  Vec3.make (f x v.x) (f y v.y) (f z v.z)
+
+(* No picture tells apart what is beyond these. *)
+let largest = 1e100
+let smallest = 1e-100
+
+let clamp { Vec3.x; y; z } =
+  let clamp x = Float.max (-.largest) (Float.min largest x) in
+  Vec3.make (clamp x) (clamp y) (clamp z)
+
+let around points =
+  let points = List.map clamp points in
+  let first = List.hd points in
+  let fold f = List.fold_left (pointwise f) first points in
+  { low = fold Float.min; high = fold Float.max }
+
+(* No side may be shorter than this part of the longest, and there is a margin
+   of that part all around. *)
+let least_side = 0.35
+let margin = 0.04
+
+let widen { low; high } =
+  let { Vec3.x; y; z } = Vec3.sub high low in
+  let longest = Float.max smallest (Float.max x (Float.max y z)) in
+  let grow side =
+    (Float.max 0. ((least_side *. longest) -. side) /. 2.) +. (margin *. longest)
+  in
+  let more = Vec3.make (grow x) (grow y) (grow z) in
+  { low = Vec3.sub low more; high = Vec3.add high more }
+
+let fit (scene : Scene.t) e =
+  let { Camera.canvas_width = w; canvas_height = h; _ } = scene.camera in
+  let eye = Camera.eye scene.camera in
+  let spheres = spheres scene and hits = hits e in
+  let range = range scene spheres hits in
+  let is_near point = distance eye point <= range in
+  let canvas =
+    [ Vec3.make (w /. -2.) (h /. -2.) 0.; Vec3.make (w /. 2.) (h /. 2.) 0. ]
+  and lights =
+    List.filter_map
+      (fun (light : Light.t) ->
+        match light.source with
+        | Point position -> Some position
+        | Directional _ -> None)
+      scene.lights
+  and extents (centre, radius) =
+    if distance eye centre +. radius <= range then
+      let r = Vec3.make radius radius radius in
+      [ Vec3.sub centre r; Vec3.add centre r ]
+    else []
+  in
+  widen
+    (around
+       ((eye :: canvas)
+       @ List.filter is_near (hits @ lights)
+       @ List.concat_map extents spheres))

@@ -1,0 +1,175 @@
+open Raylab_geometry
+open Raylab_scene
+open Raylab_tracer
+
+let version = 1
+
+let number x : Yojson.Safe.t =
+  match Float.classify_float x with
+  | FP_nan | FP_infinite -> `Null
+  | _ -> `Float x
+
+let numbers xs = `List (List.map number xs)
+let vector { Vec3.x; y; z } = numbers [ x; y; z ]
+let direction (d : Direction.t) = vector (d :> Vec3.t)
+let color { Color.r; g; b } = numbers [ r; g; b ]
+let optional json = function None -> `Null | Some value -> json value
+let int n : Yojson.Safe.t = `Int n
+let text s : Yojson.Safe.t = `String s
+
+(* {1 Scenes} *)
+
+let shape : Shape.t -> Yojson.Safe.t = function
+  | Sphere sphere ->
+      `Assoc
+        [
+          ("kind", text "sphere");
+          ("centre", vector (Sphere.centre sphere));
+          ("radius", number sphere.radius);
+        ]
+  | Plane { point; normal } ->
+      `Assoc
+        [
+          ("kind", text "plane");
+          ("point", vector point);
+          ("normal", direction normal);
+        ]
+
+let rec surface : Surface.t -> Yojson.Safe.t = function
+  | Diffusive c -> `Assoc [ ("kind", text "diffusive"); ("color", color c) ]
+  | Reflective -> `Assoc [ ("kind", text "reflective") ]
+  | Luminous c -> `Assoc [ ("kind", text "luminous"); ("color", color c) ]
+  | Mixed parts ->
+      let part (weight, part) =
+        `Assoc [ ("weight", number weight); ("surface", surface part) ]
+      in
+      `Assoc [ ("kind", text "mixed"); ("parts", `List (List.map part parts)) ]
+
+let object_ n (o : Object.t) : Yojson.Safe.t =
+  `Assoc
+    [
+      ("number", int n);
+      ("line", optional int o.line);
+      ("shape", shape o.shape);
+      ("surface", surface o.surface);
+    ]
+
+(* {1 Rays} *)
+
+let ray_members ray =
+  let reach = Ray.reach ray in
+  [
+    ("origin", vector (Ray.origin ray));
+    ("direction", direction (Ray.direction ray));
+    ("reach", if reach = infinity then `Null else number reach);
+  ]
+
+let shadow_ray ray =
+  ("shadow_ray", optional (fun ray -> `Assoc (ray_members ray)) ray)
+
+let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
+  | Faces_away { cosine } ->
+      [ ("verdict", text "faces away"); ("cosine", number cosine) ]
+  | Blocked { shadow_ray = ray; by; blocker; t; point } ->
+      [
+        ("verdict", text "blocked");
+        shadow_ray (Some ray);
+        ("by", object_ by blocker);
+        ("t", number t);
+        ("point", vector point);
+      ]
+  | Lit { shadow_ray = ray; cosine; falloff; contribution } ->
+      [
+        ("verdict", text "lit");
+        shadow_ray ray;
+        ("cosine", number cosine);
+        ("falloff", number falloff);
+        ("contribution", color contribution);
+      ]
+
+let light { Explain.number = n; light; verdict = v } : Yojson.Safe.t =
+  let place =
+    match light.source with
+    | Directional along -> ("direction", direction along)
+    | Point position -> ("position", vector position)
+  in
+  `Assoc
+    ([
+       ("number", int n);
+       ("line", optional int light.line);
+       ("kind", text (Light.name light));
+       place;
+       ("intensity", number light.intensity);
+       ("color", color light.color);
+     ]
+    @ verdict v)
+
+let rec of_ray (e : Explain.t) : Yojson.Safe.t =
+  let outcome, hit =
+    match e.outcome with
+    | Chain_ended -> ("chain ended", `Null)
+    | Missed -> ("missed", `Null)
+    | Hit h -> ("hit", of_hit h)
+  in
+  `Assoc
+    (ray_members e.ray
+    @ [
+        ("left", int e.left);
+        ("color", color e.color);
+        ("outcome", text outcome);
+        ("hit", hit);
+      ])
+
+and of_hit (h : Explain.surface_hit) =
+  `Assoc
+    [
+      ("object", object_ h.hit.number h.object_);
+      ("t", number h.hit.t);
+      ("point", vector h.hit.point);
+      ("normal", direction h.hit.normal);
+      ("offset", number h.hit.offset);
+      ("emission", color h.meaning.emission);
+      ("albedo", color h.meaning.albedo);
+      ("mirror", number h.meaning.mirror);
+      ("lights", `List (List.map light h.lights));
+      ("light", color h.light);
+      ("emitted", color h.emitted);
+      ("diffused", color h.diffused);
+      ("mirrored", color h.mirrored);
+      ("reflection", optional of_ray h.reflection);
+    ]
+
+(* {1 Documents} *)
+
+let of_pixel ((x, y), (e : Explain.t)) =
+  let r, g, b = Color.to_bytes e.color in
+  `Assoc
+    [
+      ("x", int x);
+      ("y", int y);
+      ("rgb", `List [ int r; int g; int b ]);
+      ("summary", text (Summary.to_string ~pixel:(x, y) e));
+      ("ray", of_ray e);
+    ]
+
+let document pixels =
+  `Assoc
+    [ ("version", int version); ("pixels", `List (List.map of_pixel pixels)) ]
+
+let rec depth (json : Yojson.Safe.t) =
+  let deepest = List.fold_left (fun d json -> Int.max d (depth json)) 0 in
+  match json with
+  | `Assoc members -> 1 + deepest (List.map snd members)
+  | `List items -> 1 + deepest items
+  | _ -> 0
+
+(* A hundred rays. Far beyond that there would be little but indentation. *)
+let deepest_laid_out = 200
+
+let to_string json =
+  let text =
+    if depth json <= deepest_laid_out then
+      Yojson.Safe.pretty_to_string ~std:true json
+    else Yojson.Safe.to_string ~std:true json
+  in
+  text ^ "\n"

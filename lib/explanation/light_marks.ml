@@ -1,0 +1,75 @@
+open Raylab_geometry
+open Raylab_scene
+
+let most = 20
+let inset = 24.
+let ink = "#b26a00"
+let style = Printf.sprintf {|fill="#ffd54f" stroke="%s" stroke-width="1.5"|} ink
+let rays = Printf.sprintf {|stroke="%s" stroke-width="1.5"|} ink
+
+let label view (x, y) words =
+  let place = View.inside view (x, y +. 4.) in
+  Svg.text ~anchor:"middle" ~color:ink place words
+
+let label_above view (x, y) words = label view (x, y -. 18.) words
+
+let sun ((x, y) as centre) =
+  let ray k =
+    let angle = float_of_int k *. Float.pi /. 4. in
+    let at r = (x +. (r *. cos angle), y +. (r *. sin angle)) in
+    Svg.line ~style:rays (at 6.5) (at 10.)
+  in
+  Svg.circle ~style centre 5. :: List.init 8 ray
+
+(* The middle of the panel, and the panel without its edges. *)
+let middle { View.left; top; width; height; _ } =
+  (left +. (width /. 2.), top +. (height /. 2.))
+
+(* [towards_edge view d] is the place near the edge of the panel in direction
+   [d], in pixels, from its middle. *)
+let towards_edge (view : View.t) (dx, dy) =
+  let x, y = middle view in
+  let reach size d =
+    if d = 0. then infinity else ((size /. 2.) -. inset) /. abs_float d
+  in
+  let t = Float.min (reach view.width dx) (reach view.height dy) in
+  (x +. (t *. dx), y +. (t *. dy))
+
+let point_light view name position =
+  let ((x, y) as place) = View.point view position in
+  if View.contains view place then sun place @ [ label_above view place name ]
+  else
+    let mx, my = middle view in
+    let edge = towards_edge view (x -. mx, y -. my) in
+    sun edge @ [ label_above view edge (name ^ ", farther away") ]
+
+let directional view name (along : Direction.t) =
+  let d = (along :> Vec3.t) in
+  let dx = View.across view.View.side d and dy = -.View.up view.side d in
+  let length = Float.hypot dx dy in
+  if length < 1e-6 then
+    let x, y = (view.left +. inset, view.top +. inset) in
+    [ label view (x +. 50., y +. inset) (name ^ ", along this view") ]
+  else
+    let ux = dx /. length and uy = dy /. length in
+    let ((x, y) as tail) = towards_edge view (-.ux, -.uy) in
+    let at along aside =
+      (x +. (along *. ux) -. (aside *. uy), y +. (along *. uy) +. (aside *. ux))
+    in
+    let thick = Printf.sprintf {|stroke="%s" stroke-width="3"|} ink in
+    [
+      Svg.line ~style:thick tail (at 24. 0.);
+      Svg.polygon ~style [ at 34. 0.; at 22. 6.; at 22. (-6.) ];
+      label view (at (-12.) 0.) name;
+    ]
+
+let draw view ~shown lights =
+  let mark i (light : Light.t) =
+    let number = i + 1 in
+    let name = Printf.sprintf "light %d" number in
+    match light.source with
+    | Point position -> point_light view name position
+    | Directional along ->
+        if List.mem number shown then [] else directional view name along
+  in
+  List.concat (List.mapi mark (List.filteri (fun i _ -> i < most) lights))

@@ -1,0 +1,86 @@
+open Raylab_geometry
+open Raylab_scene
+
+let line = function None -> "" | Some line -> Printf.sprintf ", line %d" line
+
+let by_number number (o : Object.t) =
+  let line =
+    match o.line with None -> "" | Some l -> Printf.sprintf " (line %d)" l
+  in
+  Printf.sprintf "%s %d%s" (Shape.name o.shape) number line
+
+(* {1 Surfaces} *)
+
+type paint = { word : string; part : float }
+
+(* The colours that a surface is painted with, in the order in which they are
+   written, one for each word. The last one is the first of the list. *)
+let rec add_paints weight paints = function
+  | Surface.Reflective | Luminous _ -> paints
+  | Mixed parts ->
+      let add paints (part, surface) =
+        add_paints (Saturate.limit (weight *. part)) paints surface
+      in
+      List.fold_left add paints parts
+  | Diffusive c ->
+      let word = Color_word.of_color c in
+      let is_same paint = paint.word = word in
+      if weight = 0. then paints
+      else if List.exists is_same paints then
+        let grow paint =
+          if is_same paint then
+            { paint with part = Saturate.limit (paint.part +. weight) }
+          else paint
+        in
+        List.map grow paints
+      else { word; part = weight } :: paints
+
+let paints surface = List.rev (add_paints 1. [] surface)
+
+let rec starts_with_mirror = function
+  | Surface.Reflective -> true
+  | Mixed ((_, first) :: _) -> starts_with_mirror first
+  | Diffusive _ | Luminous _ | Mixed [] -> false
+
+let glow emission =
+  match Color_word.of_glow emission with
+  | true, word -> "a faint " ^ word ^ " glow"
+  | false, word -> Words.a word ^ " glow"
+
+let mix surface paints { Surface.emission; mirror; _ } =
+  let paints =
+    List.map (fun { word; part } -> Words.percent part ^ " " ^ word) paints
+  and mirror = if mirror = 0. then [] else [ Words.percent mirror ^ " mirror" ]
+  and glow =
+    if Color.equal emission Color.black then [] else [ glow emission ]
+  in
+  let solid =
+    if starts_with_mirror surface then mirror @ paints else paints @ mirror
+  in
+  "mix of " ^ Words.list (solid @ glow)
+
+let luminous emission =
+  match Color_word.of_glow emission with
+  | true, word -> "faintly luminous " ^ word
+  | false, word -> "luminous " ^ word
+
+let mirror part = if part = 1. then "mirror" else Words.percent part ^ " mirror"
+
+let by_look number (o : Object.t) =
+  let shape = Shape.name o.shape in
+  let meaning = Surface.meaning o.surface in
+  let paints = paints o.surface in
+  let glows = not (Color.equal meaning.emission Color.black) in
+  let with_shape look =
+    Printf.sprintf "%s %s (object %d%s)" look shape number (line o.line)
+  and without_shape look =
+    Printf.sprintf "%s (%s %d%s)" look shape number (line o.line)
+  in
+  match (paints, meaning.mirror > 0., glows) with
+  | [ { word; part = 1. } ], false, false -> with_shape word
+  | [], true, false -> without_shape (mirror meaning.mirror)
+  | [], false, true -> with_shape (luminous meaning.emission)
+  | [], false, false -> with_shape "black"
+  | paints, _, _ -> without_shape (mix o.surface paints meaning)
+
+let background c = Color_word.of_color c ^ " background"

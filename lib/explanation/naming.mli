@@ -1,0 +1,21 @@
+(** What the things of a scene are called. *)
+
+open Raylab_scene
+
+val line : int option -> string
+(** [line l] is [, line 30], or nothing if there is no line. *)
+
+val by_number : int -> Object.t -> string
+(** [by_number k o] is [sphere 3 (line 24)], for the object [o] of number [k].
+*)
+
+val by_look : int -> Object.t -> string
+(** [by_look k o] says what [o] looks like, and then which one it is, without an
+    article: [red sphere (object 2, line 30)], [mirror (sphere 4, line 34)],
+    [mix of 85 % yellow and 15 % mirror (sphere 9, line 32)],
+    [luminous white sphere (object 4)]. The words depend on what the surface
+    denotes: it makes no difference how mixes nest, and what glows is not
+    reckoned in parts. *)
+
+val background : Color.t -> string
+(** [background c] is [blue background]. *)

@@ -1,0 +1,157 @@
+open Raylab_scene
+open Raylab_tracer
+
+let is_black c = Color.equal c Color.black
+let shows_black c = Color.to_bytes c = (0, 0, 0)
+
+(* {1 Lights} *)
+
+module Numbers = Map.Make (Int)
+
+(* The blocked lights by what blocks them: the blocker and the lights. *)
+let by_blocker blocked =
+  let add groups (light, by, blocker) =
+    let join = function
+      | None -> Some (blocker, [ light ])
+      | Some (blocker, lights) -> Some (blocker, light :: lights)
+    in
+    Numbers.update by join groups
+  in
+  Numbers.bindings (List.fold_left add Numbers.empty blocked)
+
+let lit (h : Explain.surface_hit) numbers =
+  let but =
+    if not (shows_black h.diffused) then ""
+    else if is_black h.light then ", which gives no light"
+    else if is_black h.diffused then ", but returns nothing of its colour"
+    else ", but too weakly to be seen"
+  in
+  "lit by " ^ Words.lights numbers ^ but
+
+let shadows (h : Explain.surface_hit) blocked =
+  let shadow (by, (blocker, lights)) =
+    let lights = Words.lights (List.rev lights) in
+    if by = h.hit.number then "its own shadow from " ^ lights
+    else
+      Printf.sprintf "the shadow of %s from %s"
+        (Naming.by_number by blocker)
+        lights
+  in
+  "in " ^ Words.list (List.map shadow (by_blocker blocked))
+
+let faces_away (h : Explain.surface_hit) lights =
+  let clause say = function
+    | [] -> []
+    | lights -> [ say (Words.lights (List.map fst lights)) ]
+  in
+  match h.object_.shape with
+  | Sphere _ -> clause (fun lights -> "facing away from " ^ lights) lights
+  | Plane _ ->
+      let behind, beside =
+        List.partition (fun (_, cosine) -> cosine < 0.) lights
+      in
+      clause (Printf.sprintf "with %s behind it") behind
+      @ clause (fun lights -> "edge-on to " ^ lights) beside
+
+let light_clauses (h : Explain.surface_hit) =
+  let pick choose = List.filter_map choose h.lights in
+  let are_lit =
+    pick (fun { number; verdict; _ } ->
+        match verdict with Lit _ -> Some number | _ -> None)
+  and are_blocked =
+    pick (fun { number; verdict; _ } ->
+        match verdict with
+        | Blocked { by; blocker; _ } -> Some (number, by, blocker)
+        | _ -> None)
+  and are_behind =
+    pick (fun { number; verdict; _ } ->
+        match verdict with
+        | Faces_away { cosine } -> Some (number, cosine)
+        | _ -> None)
+  in
+  let clause say = function [] -> [] | some -> [ say h some ] in
+  let clauses =
+    clause lit are_lit @ clause shadows are_blocked @ faces_away h are_behind
+  in
+  if is_black h.meaning.albedo then []
+  else if clauses = [] then [ "with no light in the scene" ]
+  else if are_lit = [] then clauses @ [ "so that no light reaches it" ]
+  else clauses
+
+(* {1 What a ray meets} *)
+
+let rec path (e : Explain.t) =
+  match e.outcome with
+  | Hit { reflection = Some next; _ } -> e :: path next
+  | _ -> [ e ]
+
+let clauses (h : Explain.surface_hit) =
+  let { Surface.emission; albedo; mirror } = h.meaning in
+  if is_black emission && is_black albedo && mirror = 0. then
+    [ "which returns no light" ]
+  else light_clauses h
+
+(* [describe ~depth ~article path] is about the rays of [path], the last ones of
+   a chain of at most [depth]. *)
+let rec describe ~depth ~article (path : Explain.t list) =
+  match path with
+  | { outcome = Hit h; _ } :: rest ->
+      let look = article (Naming.by_look h.hit.number h.object_) in
+      let clauses = clauses h in
+      String.concat ", " (look :: clauses) ^ shows ~depth h rest
+  | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)
+  | { outcome = Chain_ended; color; _ } :: _ when depth = 0 ->
+      article (Naming.background color)
+      ^ ", because raydepth is 0 and no ray is followed"
+  | { outcome = Chain_ended; color; _ } :: _ ->
+      Printf.sprintf "%s, because the chain of %d %s has ended"
+        (article (Naming.background color))
+        depth
+        (if depth = 1 then "ray" else "rays")
+  | [] -> ""
+
+and shows ~depth h rest =
+  let the phrase = "the " ^ phrase in
+  let is_mirror = is_black h.meaning.albedo && is_black h.meaning.emission in
+  let verb = if is_mirror then " that shows" else ", whose mirror shows" in
+  match rest with
+  | [] -> ""
+  | [ _ ] | [ _; _ ] -> verb ^ " " ^ describe ~depth ~article:the rest
+  | _ ->
+      let between = List.length rest - 1 in
+      Printf.sprintf "%s, by way of %d more mirrors, %s" verb between
+        (describe ~depth ~article:the [ List.nth rest between ])
+
+(* {1 Brightness} *)
+
+let over_exposed { Color.r; g; b } =
+  let channel name x =
+    (* a level above 255, if there were one *)
+    if x *. 255. > 255.5 then Some (name ^ " " ^ Words.number x) else None
+  in
+  match
+    List.filter_map Fun.id
+      [ channel "red" r; channel "green" g; channel "blue" b ]
+  with
+  | [] -> ""
+  | channels -> "; over-exposed: " ^ Words.list channels ^ ", shown as 255"
+
+let reason (e : Explain.t) =
+  let article, what =
+    match e.outcome with
+    | Hit _ -> (Words.a, "")
+    | Missed -> ((fun phrase -> "the " ^ phrase), ", since the ray hits nothing")
+    | Chain_ended -> ((fun phrase -> "the " ^ phrase), "")
+  in
+  describe ~depth:e.left ~article (path e) ^ what ^ over_exposed e.color
+
+let subject ?pixel (e : Explain.t) =
+  let r, g, b = Color.to_bytes e.color in
+  let what =
+    match pixel with
+    | None -> "the ray"
+    | Some (x, y) -> Printf.sprintf "pixel (%d, %d)" x y
+  in
+  Printf.sprintf "%s is rgb %d %d %d" what r g b
+
+let to_string ?pixel e = subject ?pixel e ^ ": " ^ reason e

@@ -1,0 +1,19 @@
+(** Colour swatches: patches of colour on a terminal. *)
+
+open Raylab_scene
+
+type t =
+  | None  (** not to be shown *)
+  | Palette  (** the nearest of a terminal's 256 colours *)
+  | True_color  (** 24 bits a colour *)
+
+val detect : is_terminal:bool -> (string -> string option) -> t
+(** [detect ~is_terminal getenv] is what an output that [is_terminal] can show,
+    where [getenv] looks up environment variables: {!None} unless it is a
+    terminal whose [TERM] is neither missing nor [dumb], and [NO_COLOR] is
+    missing or empty; {!True_color} if [COLORTERM] is [truecolor] or [24bit];
+    else {!Palette}. *)
+
+val pp : t -> Format.formatter -> Color.t -> unit
+(** [pp swatch ppf c] prints a blank and a patch, two columns wide, of the
+    colour that a picture shows for [c]; or nothing if [swatch] is {!None}. *)

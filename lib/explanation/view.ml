@@ -1,0 +1,58 @@
+open Raylab_geometry
+
+type side = Above | Beside
+
+type t = {
+  side : side;
+  left : float;
+  top : float;
+  width : float;
+  height : float;
+  scale : float;
+  frame : Frame.t;
+}
+
+type point = float * float
+
+let across side { Vec3.x; z; _ } = match side with Above -> x | Beside -> z
+let up side { Vec3.y; z; _ } = match side with Above -> z | Beside -> y
+
+let towards_viewer side { Vec3.x; y; _ } =
+  match side with Above -> y | Beside -> x
+
+let point { side; left; top; height; scale; frame; _ } p =
+  ( left +. (scale *. (across side p -. across side frame.low)),
+    top +. height -. (scale *. (up side p -. up side frame.low)) )
+
+let contains { left; top; width; height; _ } (x, y) =
+  left <= x && x <= left +. width && top <= y && y <= top +. height
+
+let inside { left; top; width; height; _ } (x, y) =
+  let clamp low high x = Float.max low (Float.min high x) in
+  ( clamp (left +. 32.) (left +. width -. 32.) x,
+    clamp (top +. 14.) (top +. height -. 6.) y )
+
+(* Narrows the parameters (t0, t1) of a line to those for which the coordinate
+   [from + t * step] lies between [low] and [high] (Liang and Barsky, 1984). *)
+let narrow (t0, t1) from step low high =
+  if step = 0. then
+    if low <= from && from <= high then (t0, t1) else (infinity, neg_infinity)
+  else
+    let a = (low -. from) /. step and b = (high -. from) /. step in
+    (Float.max t0 (Float.min a b), Float.min t1 (Float.max a b))
+
+let clip view origin direction range =
+  let { side; left; top; width; height; scale; _ } = view in
+  let x, y = point view origin in
+  let dx = scale *. across side direction
+  and dy = -.scale *. up side direction in
+  let range = narrow range x dx left (left +. width) in
+  let t0, t1 = narrow range y dy top (top +. height) in
+  let at t = (x +. (t *. dx), y +. (t *. dy)) in
+  if t0 < t1 && Float.is_finite t0 && Float.is_finite t1 then Some (at t0, at t1)
+  else None
+
+let segment view origin direction length =
+  clip view origin direction (0., length)
+
+let line view p direction = clip view p direction (neg_infinity, infinity)

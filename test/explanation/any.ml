@@ -1,0 +1,20 @@
+open Raylab_scene
+open Raylab_tracer
+open Test_support
+
+let pixels scene =
+  let { Camera.width; height; _ } = (Trace.scene scene).camera in
+  List.concat (List.init height (fun y -> List.init width (fun x -> (x, y))))
+
+let explanations scene =
+  List.map (fun (x, y) -> ((x, y), Explain.pixel scene ~x ~y)) (pixels scene)
+
+let holds ?(count = 200) ?(max_side = 6) what property =
+  let test name number =
+    Property.holds
+      (what ^ ", " ^ name)
+      ~count ~print:(Property.show Scene.pp)
+      (Generate.scene ~max_side number)
+      (fun scene -> property (Trace.prepare scene))
+  in
+  [ test "everyday" Generate.everyday; test "any size" Generate.extreme ]

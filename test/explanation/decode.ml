@@ -1,0 +1,139 @@
+open Raylab_geometry
+open Raylab_scene
+open Raylab_tracer
+open Decode_scene
+
+(* {1 Rays} *)
+
+let bare_ray get =
+  let origin = vector (get "origin") and d = direction (get "direction") in
+  match optional float (get "reach") with
+  | None -> Ray.make ~origin ~direction:d
+  | Some reach ->
+      let raw = Raw_ray.create () in
+      let { Vec3.x; y; z } = (d :> Vec3.t) in
+      Raw_ray.set_origin raw origin.x origin.y origin.z;
+      Raw_ray.set_direction raw x y z;
+      raw.reach <- reach;
+      Ray.of_raw raw
+
+let ray_members = [ "origin"; "direction"; "reach" ]
+let shadow_ray json = bare_ray (members ray_members json)
+
+let light json : Explain.light =
+  let place, names =
+    match kind json with
+    | "directional" -> (Light.directional, "direction")
+    | _ -> (Light.point, "position")
+  in
+  let base =
+    [ "number"; "line"; "kind"; names; "intensity"; "color"; "verdict" ]
+  in
+  let get rest = members (base @ rest) json in
+  let verdict, get =
+    match text (member "verdict" json) with
+    | "faces away" ->
+        let get = get [ "cosine" ] in
+        (Explain.Faces_away { cosine = float (get "cosine") }, get)
+    | "blocked" ->
+        let get = get [ "shadow_ray"; "by"; "t"; "point" ] in
+        let by, blocker = object_ (get "by") in
+        let shadow_ray = shadow_ray (get "shadow_ray") in
+        let point = vector (get "point") in
+        (Blocked { shadow_ray; by; blocker; t = float (get "t"); point }, get)
+    | "lit" ->
+        let get = get [ "shadow_ray"; "cosine"; "falloff"; "contribution" ] in
+        let shadow_ray = optional shadow_ray (get "shadow_ray") in
+        let cosine = float (get "cosine")
+        and falloff = float (get "falloff")
+        and contribution = color (get "contribution") in
+        (Lit { shadow_ray; cosine; falloff; contribution }, get)
+    | other -> wrong other
+  in
+  let light =
+    place
+      ?line:(optional int (get "line"))
+      ~intensity:(float (get "intensity"))
+      ~color:(color (get "color"))
+      (vector (get names))
+  in
+  { number = int (get "number"); light; verdict }
+
+let rec ray json : Explain.t =
+  let names = ray_members @ [ "left"; "color"; "outcome"; "hit" ] in
+  let get = members names json in
+  let outcome : Explain.outcome =
+    match (text (get "outcome"), get "hit") with
+    | "chain ended", `Null -> Chain_ended
+    | "missed", `Null -> Missed
+    | "hit", json -> Hit (hit json)
+    | other, _ -> wrong other
+  in
+  {
+    ray = bare_ray get;
+    left = int (get "left");
+    outcome;
+    color = color (get "color");
+  }
+
+and hit json : Explain.surface_hit =
+  let names =
+    [ "object"; "t"; "point"; "normal"; "offset"; "emission"; "albedo" ]
+    @ [ "mirror"; "lights"; "light"; "emitted"; "diffused"; "mirrored" ]
+    @ [ "reflection" ]
+  in
+  let get = members names json in
+  let number, object_ = object_ (get "object") in
+  {
+    hit =
+      {
+        number;
+        t = float (get "t");
+        point = vector (get "point");
+        normal = direction (get "normal");
+        offset = float (get "offset");
+      };
+    object_;
+    meaning =
+      {
+        emission = color (get "emission");
+        albedo = color (get "albedo");
+        mirror = float (get "mirror");
+      };
+    lights = list light (get "lights");
+    light = color (get "light");
+    emitted = color (get "emitted");
+    diffused = color (get "diffused");
+    mirrored = color (get "mirrored");
+    reflection = optional ray (get "reflection");
+  }
+
+(* {1 Documents} *)
+
+type pixel = {
+  x : int;
+  y : int;
+  rgb : int * int * int;
+  summary : string;
+  explanation : Explain.t;
+}
+
+let pixel json =
+  let get = members [ "x"; "y"; "rgb"; "summary"; "ray" ] json in
+  let rgb =
+    match list int (get "rgb") with
+    | [ r; g; b ] -> (r, g, b)
+    | _ -> wrong "not three bytes"
+  in
+  {
+    x = int (get "x");
+    y = int (get "y");
+    rgb;
+    summary = text (get "summary");
+    explanation = ray (get "ray");
+  }
+
+let document json =
+  let get = members [ "version"; "pixels" ] json in
+  if int (get "version") <> 1 then wrong "version";
+  list pixel (get "pixels")

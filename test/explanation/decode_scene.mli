@@ -1,0 +1,39 @@
+(** The scene's things in the JSON of explanations, and plain values. *)
+
+open Raylab_geometry
+open Raylab_scene
+
+exception Wrong of string
+(** A place where the JSON does not follow the schema: a member is missing,
+    unknown, or of another type. *)
+
+val wrong : string -> 'a
+(** [wrong place] raises {!Wrong}. *)
+
+(** {1 Plain values}
+
+    A number that is null is NaN. *)
+
+val float : Yojson.Safe.t -> float
+val int : Yojson.Safe.t -> int
+val text : Yojson.Safe.t -> string
+val list : (Yojson.Safe.t -> 'a) -> Yojson.Safe.t -> 'a list
+val optional : (Yojson.Safe.t -> 'a) -> Yojson.Safe.t -> 'a option
+val vector : Yojson.Safe.t -> Vec3.t
+val color : Yojson.Safe.t -> Color.t
+val direction : Yojson.Safe.t -> Direction.t
+
+val members : string list -> Yojson.Safe.t -> string -> Yojson.Safe.t
+(** [members names json] looks up the members of an object that has exactly
+    [names], in this order. *)
+
+val member : string -> Yojson.Safe.t -> Yojson.Safe.t
+(** [member name json] is this member of an object. *)
+
+val kind : Yojson.Safe.t -> string
+(** [kind json] is the member [kind]. *)
+
+(** {1 Objects} *)
+
+val object_ : Yojson.Safe.t -> int * Object.t
+(** [object_ json] is an OBJECT and its number. *)

@@ -1,0 +1,214 @@
+type t = {
+  scene : string;
+  x : int;
+  y : int;
+  why : string;
+  summary : string list;
+  tree : string list;
+}
+
+let ask scene x y why ~summary ~tree = { scene; x; y; why; summary; tree }
+
+let all =
+  [
+    ask "first" 320 60 "Why is the sky blue?"
+      ~summary:[ "pixel (320, 60) is rgb 76 107 178"; "the blue background" ]
+      ~tree:[ "hits nothing"; "rgb 0.3 0.42 0.7" ];
+    ask "first" 130 220 "Why is the red sphere so bright here?"
+      ~summary:[ "a red sphere (object 2, line 30)"; "lit by lights 1 and 2" ]
+      ~tree:
+        [
+          "t = 8.58606";
+          "cosine 0.947614";
+          "fall-off 0.0503939";
+          "rgb 1.0849 0.981637 0.826736";
+          "rgb 0.922169 0.196327 0.12401";
+        ];
+    ask "first" 310 290 "Why is there blue on the middle sphere?"
+      ~summary:[ "a mirror (sphere 4, line 34) that shows the blue background" ]
+      ~tree:[ "hits nothing"; "mirrored rgb 0.3 0.42 0.7" ];
+    ask "first" 315 350 "Why has its lower half the colour of the floor?"
+      ~summary:
+        [
+          "a mirror (sphere 4, line 34) that shows the beige plane (object 1, \
+           line 26), lit by lights 1 and 2";
+        ]
+      ~tree:
+        [
+          "t = 6.02793";
+          "t = 0.646339";
+          "(0.0478564, -1.5, 1.51018)";
+          "mirrored rgb 0.824162 0.637214 0.401675";
+        ];
+    ask "first" 370 390 "Why is the floor black beside the mirror?"
+      ~summary:
+        [
+          "rgb 0 0 0";
+          "a beige plane (object 1, line 26)";
+          "in the shadow of sphere 4 (line 34) from lights 1 and 2";
+          "no light reaches it";
+        ]
+      ~tree:[ "blocked by sphere 4 (line 34)"; "t = 0.541932"; "t = 0.37252" ];
+    ask "first" 415 110 "Why does the moon look flat?"
+      ~summary:[ "a luminous light yellow sphere (object 5, line 36)" ]
+      ~tree:[ "luminous 1 0.9 0.6"; "emitted rgb 1 0.9 0.6" ];
+    ask "room" 398 115 "Why is there a black disc on the ceiling?"
+      ~summary:
+        [
+          "plane (object 4, line 23)";
+          "lit by light 2";
+          "in the shadow of sphere 7 (line 29) from light 1";
+        ]
+      ~tree:[ "t = 1.1373"; "cosine 0.262935"; "fall-off 0.0307267" ];
+    ask "room" 315 390 "Why does the ball show a blue wall, which is nowhere?"
+      ~summary:
+        [
+          "a mirror (sphere 8, line 31) that shows the blue plane (object 6, \
+           line 25), lit by lights 1 and 2";
+        ]
+      ~tree:[ "t = 8.16275" ];
+    ask "room" 520 370 "Why is there green in the yellow ball?"
+      ~summary:
+        [
+          "a mix of 85 % yellow and 15 % mirror (sphere 9, line 32)";
+          "lit by lights 1 and 2";
+          "whose mirror shows the dark green plane (object 5, line 24)";
+        ]
+      ~tree:
+        [
+          "diffused rgb 0.568428 0.456124 0.169757";
+          "mirrored rgb 0.0141186 0.0404821 0.0163869";
+          "rgb 0.582546 0.496606 0.186144";
+        ];
+    ask "over-exposure" 399 240 "Why is orange light white in the middle?"
+      ~summary:
+        [
+          "a white plane (object 1, line 17)"; "over-exposed: red"; "and green";
+        ]
+      ~tree:[ "fall-off 2.72665"; "rgb 16.2086 5.67302 0.972517" ];
+    ask "over-exposure" 399 340 "Why do all three lamps look the same?"
+      ~summary:[ "a luminous white sphere (object 4, line 26)"; "over-exposed" ]
+      ~tree:[ "emitted rgb 3 3 3" ];
+    ask "over-exposure" 399 470 "Why is the image of that lamp grey?"
+      ~summary:
+        [
+          "rgb 96 96 96";
+          "a 12.5 % mirror (plane 2, line 20) that shows the luminous white \
+           sphere (object 4, line 26)";
+        ]
+      ~tree:[ "rgb 3 3 3"; "mirrored rgb 0.375 0.375 0.375" ];
+    ask "coloured-lights" 330 350 "Why is this shadow yellow?"
+      ~summary:
+        [
+          "a white plane (object 1, line 18)";
+          "lit by lights 1 and 2";
+          "in the shadow of sphere 3 (line 24) from light 3";
+        ]
+      ~tree:
+        [
+          "rgb 0.578341 0 0";
+          "rgb 0 0.531362 0";
+          "rgb 0.578341 0.531362 0";
+          "t = 1.6892";
+        ];
+    ask "coloured-lights" 400 350 "Why is it black under the middle ball?"
+      ~summary:
+        [
+          "in the shadow of sphere 3 (line 24) from lights 1, 2 and 3";
+          "no light reaches it";
+        ]
+      ~tree:[ "diffused rgb 0 0 0" ];
+    ask "facing-mirrors" 20 580 "Why is there dark green between the balls?"
+      ~summary:
+        [
+          "rgb 0 34 24";
+          "a mix of 93 % mirror and a faint green glow (plane 1, line 24)";
+          "the chain of 40 rays has ended";
+        ]
+      ~tree:[ "emitted rgb 0 0.01 0.007"; "mirrored rgb 0 0.125019 0.0875132" ];
+    ask "facing-mirrors" 410 291 "What is that light spot deep in the tunnel?"
+      ~summary:
+        [ "the light grey sphere (object 26, line 52), lit by lights 1 and 2" ]
+      ~tree:[ "rgb 1.01478 0.964039 0.862561"; "rgb 0.656552 0.674154 0.59337" ];
+    ask "fall-off" 770 230 "Light 1 reaches this place. Why is it black?"
+      ~summary:
+        [
+          "rgb 0 0 0";
+          "lit by light 1";
+          "in the shadow of sphere 4 (line 26) from lights 2 and 3";
+          "too weakly to be seen";
+        ]
+      ~tree:[ "cosine 0.0688448"; "fall-off 0.0189584"; "rgb 0.000261037" ];
+    ask "fall-off" 265 360 "Why is this side of the ball so white?"
+      ~summary:
+        [
+          "a white sphere (object 3, line 25)";
+          "lit by lights 1 and 2";
+          "facing away from light 3";
+          "over-exposed";
+        ]
+      ~tree:[ "cosine -0.0912802"; "fall-off 1.47786"; "rgb 1.04439" ];
+    ask "inside-a-sphere" 100 350 "Why is the big ball so dark here?"
+      ~summary:
+        [
+          "a mix of 70 % mirror and 30 % beige (sphere 1, line 17)";
+          "lit by light 1";
+          "in the shadow of sphere 2 (line 19) from light 2";
+          "whose mirror shows the blue sphere (object 4, line 21), facing away \
+           from lights 1 and 2";
+        ]
+      ~tree:[ "t = 4.4922"; "cosine -0.0940686"; "mirrored rgb 0 0 0" ];
+    ask "sun-and-bulb" 300 180 "Why is there no light of the bulb at the left?"
+      ~summary:[ "lit by lights 1 and 3"; "in the shadow of plane 2 (line 25)" ]
+      ~tree:[ "t = 1.947"; "rgb 0.559173 0.517246 0.432581" ];
+    ask "nested-mixes" 190 390 "Is this what the ball above it is made of?"
+      ~summary:[ "a mix of 60 % red and 40 % mirror (sphere 3, line 29)" ]
+      ~tree:[ "albedo rgb 0.54 0.09 0.06"; "mirror 0.4" ];
+    ask "nested-mixes" 190 150 "And that one?"
+      ~summary:[ "a mix of 60 % red and 40 % mirror (sphere 2, line 24)" ]
+      ~tree:[ "albedo rgb 0.54 0.09 0.06"; "mirror 0.4" ];
+    ask "nested-mixes" 620 400 "Why is this ball brighter than the sky?"
+      ~summary:
+        [
+          "a mix of 100 % blue, 50 % mirror and a dark blue glow (sphere 7";
+          "shows the light blue background";
+          "over-exposed: blue";
+        ]
+      ~tree:
+        [
+          "emitted rgb 0.05 0.05 0.15";
+          "diffused rgb 0.119895 0.209816 0.539526";
+          "mirrored rgb 0.275 0.35 0.45";
+        ];
+    ask "nested-mixes" 300 545 "There are two lights. Why is it black here?"
+      ~summary:
+        [
+          "in the shadow of sphere 3 (line 29) from light 1";
+          "with light 2 behind it";
+          "no light reaches it";
+        ]
+      ~tree:[ "t = 1.21063"; "cosine -0.0995037" ];
+    ask "language-tour" 450 440 "Why is this ball black in full light?"
+      ~summary:
+        [ "a black sphere (object 10, line 31)"; "which returns no light" ]
+      ~tree:[ "albedo rgb 0 0 0" ];
+    ask "lanterns" 480 300 "What is the purple spot on the mirrored ball?"
+      ~summary:
+        [
+          "a 95 % mirror (sphere 2, line 19) that shows the luminous purple \
+           sphere (object 31, line 51)";
+        ]
+      ~tree:[ "t = 0.812512"; "mirrored rgb 0.7125 0.2375 0.95" ];
+    ask "billiards" 310 350 "Why is the white ball grey?"
+      ~summary:
+        [
+          "a mix of 88 % white and 12 % mirror (sphere 18, line 61)";
+          "lit by lights 1 and 3";
+          "facing away from light 2";
+          "whose mirror shows the black background";
+        ]
+      ~tree:[ "cosine 0.095626"; "fall-off 0.0427036"; "cosine -0.117043" ];
+    ask "ringed-planet" 560 300 "What is this grain, one of thousands?"
+      ~summary:[ "sphere (object 4642, line 4669)"; "lit by lights 1 and 2" ]
+      ~tree:[ "t = 11.1317"; "rgb 0.489185 0.387581 0.274681" ];
+  ]

@@ -1,0 +1,131 @@
+open Raylab_scene
+open Raylab_tracer
+open Raylab_explanation
+open Test_support
+open Build
+
+let parse text = Yojson.Safe.from_string text
+let is_same (a : Explain.t) b = compare a b = 0
+
+let pixel_is_same ((x, y), (e : Explain.t)) (decoded : Decode.pixel) =
+  decoded.x = x && decoded.y = y
+  && decoded.rgb = Color.to_bytes e.color
+  && decoded.summary = Summary.to_string ~pixel:(x, y) e
+  && is_same decoded.explanation e
+
+let parses_back scene =
+  let pixels = Any.explanations scene in
+  let text = Json.to_string (Json.document pixels) in
+  List.for_all2 pixel_is_same pixels (Decode.document (parse text))
+
+let round_trip =
+  Property.holds "parsed, it is the explanation" ~count:200
+    ~print:(Property.show Scene.pp)
+    (Generate.scene ~max_side:5 Generate.everyday) (fun scene ->
+      parses_back (Trace.prepare scene))
+
+(* The strict printer refuses numbers that are not finite. *)
+let strict =
+  Any.holds "JSON whatever the numbers" (fun scene ->
+      let json = Json.document (Any.explanations scene) in
+      compare (parse (Json.to_string json)) json = 0)
+
+(* {1 By hand} *)
+
+let test_document () =
+  let background = rgb 0.25 0.5 2. in
+  let scene = Trace.prepare (Scene.make ~background (camera ())) in
+  let e = Explain.pixel scene ~x:0 ~y:0 in
+  let expected : Yojson.Safe.t =
+    `Assoc
+      [
+        ("version", `Int 1);
+        ( "pixels",
+          `List
+            [
+              `Assoc
+                [
+                  ("x", `Int 0);
+                  ("y", `Int 0);
+                  ("rgb", `List [ `Int 64; `Int 128; `Int 255 ]);
+                  ("summary", `String (Summary.to_string ~pixel:(0, 0) e));
+                  ( "ray",
+                    `Assoc
+                      [
+                        ("origin", `List [ `Float 0.; `Float 0.; `Float (-1.) ]);
+                        ("direction", `List [ `Float 0.; `Float 0.; `Float 1. ]);
+                        ("reach", `Null);
+                        ("left", `Int 4);
+                        ("color", `List [ `Float 0.25; `Float 0.5; `Float 2. ]);
+                        ("outcome", `String "missed");
+                        ("hit", `Null);
+                      ] );
+                ];
+            ] );
+      ]
+  in
+  let found = parse (Json.to_string (Json.document [ ((0, 0), e) ])) in
+  Alcotest.(check string)
+    "as documented"
+    (Yojson.Safe.to_string expected)
+    (Yojson.Safe.to_string found)
+
+(* Every kind of surface, light and verdict, and lines of a file. *)
+let test_all_kinds () =
+  let some = Surface.diffusive (rgb 0.1 0.2 0.3) in
+  let mix =
+    Surface.mixed
+      [
+        (0.1, Surface.reflective);
+        (0.2, Surface.luminous Color.red);
+        (1. /. 3., some);
+      ]
+  in
+  let lights =
+    [
+      Light.point ~line:3 ~intensity:0.7 ~color:Color.cyan (v 0. 1. (-1.));
+      Light.directional ~intensity:1. ~color:Color.white (v 0.3 1. 0.7);
+      Light.directional ~line:4 ~intensity:1. ~color:Color.white (v 0. 1. (-1.));
+    ]
+  in
+  let objects =
+    [
+      plane ~line:7 (v 0. 0. 4.) (v 0.1 0. 1.) mix;
+      sphere ~line:8 (v 0. (-3.) 1.) 1.5 some;
+      sphere (v 0.4 0. (-6.)) 1.5 Surface.reflective;
+    ]
+  in
+  let scene = Trace.prepare (Scene.make ~lights ~objects (camera ())) in
+  let e = Explain.pixel scene ~x:0 ~y:0 in
+  let verdicts =
+    match e.outcome with
+    | Hit { lights; _ } ->
+        List.map
+          (fun { Explain.verdict; _ } ->
+            match verdict with
+            | Lit _ -> "lit"
+            | Blocked _ -> "blocked"
+            | Faces_away _ -> "away")
+          lights
+    | _ -> []
+  in
+  Alcotest.(check (list string))
+    "all verdicts"
+    [ "lit"; "blocked"; "away" ]
+    verdicts;
+  Alcotest.(check bool) "parses back" true (parses_back scene)
+
+(* The manual page shows the schema that the documentation of the library has. *)
+let test_schema () =
+  let documentation =
+    In_channel.with_open_bin "../../lib/explanation/json.mli"
+      In_channel.input_all
+  in
+  Expect.contains "json.mli" ~part:("{v\n" ^ Json_schema.text) documentation
+
+let suite =
+  ( "Json",
+    Alcotest.test_case "document" `Quick test_document
+    :: Alcotest.test_case "all kinds" `Quick test_all_kinds
+    :: Alcotest.test_case "schema" `Quick test_schema
+    :: round_trip :: strict )

@@ -1,0 +1,145 @@
+open Raylab_geometry
+open Raylab_scene
+open Raylab_tracer
+open Raylab_explanation
+open Test_support
+open Build
+
+let draw scene =
+  let prepared = Trace.prepare scene in
+  let pixel = (0, 0) in
+  let e = Explain.pixel prepared ~x:0 ~y:0 in
+  (e, Path_picture.to_svg ~pixel scene e)
+
+(* [count part text] is how often [part] is in [text]. *)
+let count part text =
+  let n = String.length part in
+  let rec from i found =
+    if i + n > String.length text then found
+    else if String.sub text i n = part then from (i + n) (found + 1)
+    else from (i + 1) found
+  in
+  from 0 0
+
+let check_count what expected part text =
+  Alcotest.(check int) what expected (count part text)
+
+(* {1 Lines} *)
+
+let bulb x y z = Light.point ~intensity:9. ~color:Color.white (v x y z)
+let sun x y z = Light.directional ~intensity:1. ~color:Color.white (v x y z)
+let white = Surface.diffusive Color.white
+
+(* A wall lit by a bulb and not by the sun, which a ball is in the way of, and a
+   mirror before it. *)
+let scene =
+  Scene.make
+    ~lights:[ bulb 0. 2. (-1.); sun 0. (-1.) (-1.) ]
+    ~objects:
+      [
+        plane (v 0. 0. 4.) (v 0. 0. 1.) Surface.reflective;
+        plane (v 0. 0. (-9.)) (v 0. 0. 1.) white;
+        sphere (v 0. 3. (-6.)) 1. white;
+      ]
+    (camera ())
+
+let kind : Path.kind -> string = function
+  | Primary -> "primary"
+  | Mirrored -> "mirrored"
+  | Unfollowed -> "unfollowed"
+  | Lit light -> Printf.sprintf "lit %d" light
+  | Blocked light -> Printf.sprintf "blocked %d" light
+
+let test_lines () =
+  let e, _ = draw scene in
+  let show (line : Path.line) =
+    let at = Ray.at line.ray line.length in
+    let met = Option.fold ~none:0 ~some:fst line.meets in
+    Format.asprintf "%s to %d at (%.3f, %.3f, %.3f)" (kind line.kind) met
+      (at.x +. 0.) (at.y +. 0.) (at.z +. 0.)
+  in
+  Alcotest.(check (list string))
+    "rays"
+    [
+      "primary to 1 at (0.000, 0.000, 4.000)";
+      "mirrored to 2 at (0.000, 0.000, -9.000)";
+      "lit 1 to 0 at (0.000, 2.000, -1.000)";
+      "blocked 2 to 3 at (0.000, 2.293, -6.707)";
+    ]
+    (List.map show (Path.lines e));
+  Alcotest.(check (list int)) "objects" [ 1; 2; 3 ] (Path.objects e);
+  Alcotest.(check int) "hits" 2 (List.length (Path.hits e))
+
+let test_elements () =
+  let _, svg = draw scene in
+  (* in two views; dashed lines and crosses are in the legend once more *)
+  check_count "dashed rays" ((2 * 2) + 2) {|stroke-dasharray="6 4"|} svg;
+  check_count "crosses"
+    (2 * (2 + 1))
+    {|stroke="#d32f2f" stroke-width="2.4"|} svg;
+  List.iter
+    (fun label -> check_count label 2 (">" ^ label ^ "</text>") svg)
+    [ "eye"; "canvas"; "plane 1"; "plane 2"; "sphere 3"; "light 1"; "light 2" ]
+
+let test_unfollowed () =
+  let mirror = plane (v 0. 0. 4.) (v 0. 1. 1.) Surface.reflective in
+  let _, svg = draw (Scene.make ~ray_depth:1 ~objects:[ mirror ] (camera ())) in
+  check_count "stub" 2 "the chain has ended</text>" svg
+
+(* {1 Any scene} *)
+
+let is_sound svg =
+  count "nan" svg = 0
+  && count "inf" svg = 0
+  && String.starts_with ~prefix:"<svg" svg
+  && String.ends_with ~suffix:"</svg>\n" svg
+
+let sound =
+  Any.holds "no number is out of range" ~count:60 ~max_side:4 (fun scene ->
+      List.for_all
+        (fun (pixel, e) ->
+          is_sound (Path_picture.to_svg ~pixel (Trace.scene scene) e))
+        (Any.explanations scene))
+
+let test_many () =
+  let ball i =
+    let at k = float_of_int (k - 50) /. 10. in
+    sphere (v (at (i mod 100)) (at (i / 100)) 5.) 0.01 white
+  in
+  let objects = List.init 10_000 ball in
+  let _, svg = draw (Scene.make ~objects (camera ())) in
+  let circles = count "<circle" svg in
+  Alcotest.(check bool) "some hundreds" true (300 < circles && circles < 800)
+
+(* A star far away and a huge planet make no dots of the rest. *)
+let test_frame () =
+  let near =
+    List.init 3 (fun k -> sphere (v (float_of_int k) 0. 4.) 1. white)
+  in
+  let frame objects =
+    let scene = Scene.make ~objects (camera ()) in
+    Frame.fit scene (fst (draw scene))
+  in
+  let alone = frame near
+  and crowded =
+    frame
+      (near
+      @ [
+          sphere (v 0. 900. 4.) 1. white;
+          sphere (v 0. (-6e6) 0.) 5.9e6 white;
+          plane (v 0. (-500.) 0.) (v 0. 1. 0.) white;
+        ])
+  in
+  Alcotest.(check bool) "the same" true (compare alone crowded = 0);
+  Alcotest.(check bool) "the ball is in it" true (alone.high.z >= 5.)
+
+let suite =
+  ( "Path_picture",
+    [
+      Alcotest.test_case "lines" `Quick test_lines;
+      Alcotest.test_case "elements" `Quick test_elements;
+      Alcotest.test_case "a chain that ends" `Quick test_unfollowed;
+      Alcotest.test_case "thousands of spheres" `Quick test_many;
+      Alcotest.test_case "frame" `Quick test_frame;
+    ]
+    @ sound )

@@ -1,0 +1,42 @@
+open Raylab_tracer
+open Raylab_language
+open Raylab_explanation
+open Test_support
+
+let scenes = Hashtbl.create 16
+
+(* Each scene of the gallery is read once. *)
+let load name =
+  match Hashtbl.find_opt scenes name with
+  | Some scene -> scene
+  | None -> (
+      let path = Printf.sprintf "../../scenes/%s.scene" name in
+      match Scene_file.load path with
+      | Ok scene ->
+          let scene = Trace.prepare scene in
+          Hashtbl.add scenes name scene;
+          scene
+      | Error _ -> Alcotest.failf "%s is in error" path)
+
+(* [one_line text] is [text] with every run of white space a single blank. *)
+let one_line text =
+  String.split_on_char '\n' text
+  |> List.concat_map (String.split_on_char ' ')
+  |> List.filter (( <> ) "")
+  |> String.concat " "
+
+let test { Questions.scene; x; y; why; summary; tree } =
+  let answer () =
+    let e = Explain.pixel (load scene) ~x ~y in
+    let pixel = (x, y) in
+    let said = Summary.to_string ~pixel e in
+    let printed =
+      one_line (Format.asprintf "%a" (Report.pp_tree ?swatches:None) e)
+    in
+    List.iter (fun part -> Expect.contains "summary" ~part said) summary;
+    List.iter (fun part -> Expect.contains "tree" ~part printed) tree
+  in
+  let name = Printf.sprintf "%s %d,%d: %s" scene x y why in
+  Alcotest.test_case name `Quick answer
+
+let suite = ("Questions", List.map test Questions.all)

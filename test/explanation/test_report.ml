@@ -1,0 +1,80 @@
+open Raylab_scene
+open Raylab_tracer
+open Raylab_explanation
+open Test_support
+open Build
+
+let print ?swatches ?pixel e =
+  Format.asprintf "%a" (Report.pp ?swatches ?pixel) e
+
+let lines = String.split_on_char '\n'
+let is_narrow line = String.length line <= 80
+
+let narrow =
+  Any.holds "no line is longer than 80 columns" (fun scene ->
+      List.for_all
+        (fun (pixel, e) -> List.for_all is_narrow (lines (print ~pixel e)))
+        (Any.explanations scene))
+
+let is_plain c = c = '\n' || (' ' <= c && c <= '~')
+
+let plain =
+  Any.holds "no control characters" (fun scene ->
+      List.for_all
+        (fun (pixel, e) -> String.for_all is_plain (print ~pixel e))
+        (Any.explanations scene))
+
+(* [without_escapes text] is [text] without the patches of colour. *)
+let without_escapes text =
+  let rec copy = function
+    | [] -> []
+    | part :: rest ->
+        let from = String.index part 'm' + 1 in
+        String.sub part from (String.length part - from) :: copy rest
+  in
+  match String.split_on_char '\027' text with
+  | first :: rest -> String.concat "" (first :: copy rest)
+  | [] -> ""
+
+let swatches =
+  Any.holds "patches of colour change no word" (fun scene ->
+      let words text =
+        List.filter (( <> ) "")
+          (List.concat_map (String.split_on_char ' ') (lines text))
+      in
+      List.for_all
+        (fun (pixel, e) ->
+          let shown =
+            without_escapes (print ~swatches:Swatch.True_color ~pixel e)
+          in
+          words shown = words (print ~pixel e)
+          && List.for_all is_narrow (lines shown))
+        (Any.explanations scene))
+
+(* {1 Long chains} *)
+
+let facing_mirrors ray_depth =
+  let mirror z = plane (v 0. 0. z) (v 0. 0. 1.) Surface.reflective in
+  let scene =
+    Scene.make ~ray_depth ~objects:[ mirror 4.; mirror (-6.) ] (camera ())
+  in
+  Explain.pixel (Trace.prepare scene) ~x:0 ~y:0
+
+let test_long () =
+  let text = print (facing_mirrors 100) in
+  Alcotest.(check bool) "narrow" true (List.for_all is_narrow (lines text));
+  Expect.contains "all rays" ~part:"ray 100, mirrored:" text;
+  Expect.contains "the end" ~part:"the chain has ended" text
+
+let test_very_long () =
+  let e = facing_mirrors 20_000 in
+  Expect.contains "text" ~part:"ray 20001, mirrored:" (print e);
+  Expect.contains "JSON" ~part:"chain ended" (Json.to_string (Json.of_ray e))
+
+let suite =
+  ( "Report",
+    [
+      Alcotest.test_case "long chains" `Quick test_long;
+      Alcotest.test_case "very long chains" `Quick test_very_long;
+    ]
+    @ narrow @ plain @ swatches )
