@@ -11,7 +11,7 @@ let infos =
   [
     info ok "on success.";
     info scene_error "if the scene is in error or cannot be read.";
-    info not_written "if the picture could not be written.";
+    info not_written "if a picture or other output could not be written.";
     info usage "if the command line is wrong.";
     info interrupted "if interrupted by Ctrl-C; nothing is written then.";
     info hung_up "if the terminal went away; nothing is written then.";

@@ -252,7 +252,7 @@ Help and version go to standard output. A version is no place-holder.
   
          1   if the scene is in error or cannot be read.
   
-         2   if the picture could not be written.
+         2   if a picture or other output could not be written.
   
          124 if the command line is wrong.
   
@@ -329,7 +329,7 @@ Help and version go to standard output. A version is no place-holder.
   
          1   if the scene is in error or cannot be read.
   
-         2   if the picture could not be written.
+         2   if a picture or other output could not be written.
   
          124 if the command line is wrong.
   
@@ -375,7 +375,7 @@ Help and version go to standard output. A version is no place-holder.
   
          1   if the scene is in error or cannot be read.
   
-         2   if the picture could not be written.
+         2   if a picture or other output could not be written.
   
          124 if the command line is wrong.
   
