@@ -17,8 +17,7 @@ type t = private {
   root : int;  (** the code of the whole tree *)
 }
 (** The type for trees. An inner node's code is its number; a leaf's is
-    negative, see {!leaf_first} and {!leaf_count}; that of no node is {!none}.
-*)
+    negative, see {!leaf_first} and {!leaf_last}; that of no node is {!none}. *)
 
 val none : int
 (** [none] is the code of an empty tree. *)

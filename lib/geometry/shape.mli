@@ -1,7 +1,7 @@
 (** Shapes: what an object of a scene looks like, without its surface.
 
-    A new shape is a module of its own like {!Sphere}, a constructor here, and a
-    case in each function below. *)
+    A new shape is a module of its own like {!module-Sphere}, a constructor
+    here, and a case in each function below. *)
 
 type t = Sphere of Sphere.t | Plane of Plane.t  (** The type for shapes. *)
 

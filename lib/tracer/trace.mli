@@ -20,8 +20,8 @@ type t
 val prepare :
   ?domains:int -> ?index:(Shape.t array -> Query.index) -> Scene.t -> t
 (** [prepare scene] is [scene] made ready. [index] is the way of finding hits,
-    by default {!Bvh.index} on at most [domains] domains, by default 1; it makes
-    no difference to any colour. *)
+    by default {!Raylab_geometry.Bvh.index} on at most [domains] domains, by
+    default 1; it makes no difference to any colour. *)
 
 val scene : t -> Scene.t
 (** [scene t] is the scene from which [t] was prepared. *)
