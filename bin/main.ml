@@ -1,6 +1,6 @@
 open Cmdliner
 
-let commands = [ Cmd_render.cmd; Cmd_explain.cmd; Cmd_check.cmd ]
+let commands = [ Cmd_render.cmd; Cmd_explain.cmd; Cmd_check.cmd; Cmd_repl.cmd ]
 
 let man =
   [

@@ -25,7 +25,7 @@ Commands: none, unknown, misspelt, too many scenes.
   raylab: unknown command 'chek', did you mean 'check'?
   [124]
   $ usage no_such_command_or_file
-  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain' or 'render'.
+  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'render' or 'repl'.
   [124]
   $ usage render
   raylab: required argument SCENE is missing
@@ -200,6 +200,9 @@ Help and version go to standard output. A version is no place-holder.
   
          render [OPTION]… SCENE
              render a scene to a picture file
+  
+         repl [OPTION]… [SCENE] [SCRIPT]
+             explore a scene at OCaml's prompt
   
   ARGUMENTS
          SCENE (required)

@@ -1,0 +1,40 @@
+open Raylab_toplevel
+
+let argument k =
+  if k < Array.length Sys.argv && Sys.argv.(k) <> "" then Some Sys.argv.(k)
+  else None
+
+(* [load path] tells what is wrong with the scene, and is whether it is right. *)
+let load path =
+  match Session.load path with
+  | Ok scene ->
+      Tell.warnings path scene;
+      true
+  | Error errors ->
+      Tell.errors errors;
+      false
+
+let run_script scene path =
+  (* what a script says of another scene than its own is of no use *)
+  if Option.fold ~none:true ~some:load scene then Prompt.script path else 1
+
+let greeting scene () =
+  let tell path = if load path then Tell.contents path (Session.scene ()) in
+  Option.iter tell scene;
+  Format.printf "help () lists what raylab knows; Ctrl-D leaves.@."
+
+let () =
+  (* raylab ignores it, and that is inherited *)
+  Sys.set_signal Sys.sigpipe Signal_default;
+  let scene = argument 1 in
+  let script = argument 2 in
+  Loader.install ();
+  Prompt.prepare ();
+  match script with
+  | Some path -> exit (run_script scene path)
+  | None ->
+      if Unix.isatty Unix.stdin && Unix.isatty Unix.stdout then
+        Prompt.terminal ~greeting:(greeting scene)
+      else (
+        Option.iter (fun path -> ignore (load path : bool)) scene;
+        Prompt.standard_input ())

@@ -1,0 +1,38 @@
+open Raylab_geometry
+open Raylab_scene
+
+let vec = Vec3.make
+
+let ray origin direction =
+  Ray.make ~origin ~direction:(Direction.of_vec3_exn direction)
+
+let rgb = Color.make
+let black = Color.black
+let white = Color.white
+let red = Color.red
+let green = Color.green
+let blue = Color.blue
+let cyan = Color.cyan
+let magenta = Color.magenta
+let yellow = Color.yellow
+
+let directional intensity color direction =
+  Light.directional ~intensity ~color direction
+
+let spherical intensity color point = Light.point ~intensity ~color point
+let diffusive = Surface.diffusive
+let reflective = Surface.reflective
+let luminous = Surface.luminous
+let mixed = Surface.mixed
+
+let sphere centre radius surface =
+  Object.make (Shape.sphere ~centre ~radius) surface
+
+let plane point normal surface =
+  Object.make (Shape.plane ~point ~normal) surface
+
+let camera =
+  Camera.make ~width:640 ~height:480 ~canvas_width:4. ~canvas_height:3.
+    ~depth:4.
+
+let empty = Scene.make camera

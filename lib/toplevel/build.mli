@@ -1,0 +1,79 @@
+(** Scenes from OCaml values: the words of the scene language as functions.
+
+    Each takes what its word takes in a scene file, in the same order; vectors
+    are {!vec} and colours are {!rgb} or a name. A scene is then
+    {!Raylab_scene.Scene.make} of a camera, lights and objects:
+
+    {[
+      Scene.make camera
+        ~lights:[ spherical 20. white (vec 0. 3. 3.) ]
+        ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ]
+    ]}
+
+    A number that the scene language would refuse raises [Invalid_argument]. *)
+
+open Raylab_geometry
+open Raylab_scene
+
+(** {1 Vectors, rays and colours} *)
+
+val vec : float -> float -> float -> Vec3.t
+(** [vec x y z] is the point or vector (x, y, z). *)
+
+val ray : Vec3.t -> Vec3.t -> Ray.t
+(** [ray origin direction] is the ray from [origin] along [direction], which may
+    have any length but 0. *)
+
+val rgb : float -> float -> float -> Color.t
+(** [rgb r g b] is the colour with these channels, of which 1 is the brightest
+    that a picture shows. *)
+
+val black : Color.t
+val white : Color.t
+val red : Color.t
+val green : Color.t
+val blue : Color.t
+val cyan : Color.t
+val magenta : Color.t
+val yellow : Color.t
+
+(** {1 Lights} *)
+
+val directional : float -> Color.t -> Vec3.t -> Light.t
+(** [directional intensity color direction] is light that travels along
+    [direction], as from a sun. *)
+
+val spherical : float -> Color.t -> Vec3.t -> Light.t
+(** [spherical intensity color point] is a light bulb at [point]. *)
+
+(** {1 Surfaces} *)
+
+val diffusive : Color.t -> Surface.t
+(** [diffusive color] returns this part of the light that reaches it. *)
+
+val reflective : Surface.t
+(** [reflective] is a mirror. *)
+
+val luminous : Color.t -> Surface.t
+(** [luminous color] shines in this colour. *)
+
+val mixed : (float * Surface.t) list -> Surface.t
+(** [mixed parts] is the sum of [parts], each a weight and a surface. *)
+
+(** {1 Objects} *)
+
+val sphere : Vec3.t -> float -> Surface.t -> Object.t
+(** [sphere centre radius surface] is a ball. *)
+
+val plane : Vec3.t -> Vec3.t -> Surface.t -> Object.t
+(** [plane point normal surface] is the plane through [point] perpendicular to
+    [normal]. *)
+
+(** {1 Scenes} *)
+
+val camera : Camera.t
+(** [camera] takes a picture of 640 x 480 pixels through a canvas of 4 x 3 from
+    a distance of 4, as the first scene of the gallery does. *)
+
+val empty : Scene.t
+(** [empty] is the scene that {!camera} sees when nothing is there. *)

@@ -1,0 +1,107 @@
+open Raylab_scene
+open Raylab_tracer
+open Raylab_picture
+
+let words =
+  [
+    ("help ()", "this list");
+    ("scene ()", "the scene");
+    ("load \"FILE\"", "takes another scene, from a file");
+    ("use SCENE", "takes another scene, made of OCaml values");
+    ("why X Y", "why pixel (X, Y), counted from the top left, has its colour");
+    ("pixel X Y", "why, in full");
+    ("primary X Y", "the ray that looks through pixel (X, Y)");
+    ("trace RAY", "the colour that a ray brings");
+    ("hit RAY", "what a ray hits first");
+    ("explain RAY", "why it brings that colour");
+    ("steps RAY", "what the tracer does for it, step by step: say next ()");
+    ("next ()", "the next step");
+    ("back ()", "the step before");
+    ("render ()", "the picture of the scene");
+    ("save \"FILE\"", "writes it as .bmp, .png or .ppm");
+  ]
+
+let building =
+  {|Scenes are built with vec, rgb, red ... white, directional, spherical, sphere,
+plane, diffusive, reflective, luminous and mixed, as in a scene file:
+
+use (Scene.make camera
+       ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]
+       ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])|}
+
+let help () =
+  List.iter (fun (word, line) -> Format.printf "%-14s%s@." word line) words;
+  Format.printf "@.%s@." building
+
+(* {1 The scene} *)
+
+let scene = Session.scene
+let use = Session.use
+
+let load path =
+  match Session.load path with
+  | Ok scene ->
+      Tell.contents path scene;
+      Tell.warnings path scene
+  | Error errors -> Tell.errors errors
+
+(* {1 One ray} *)
+
+let check_pixel x y =
+  let { Camera.width; height; _ } = (scene ()).camera in
+  if x < 0 || x >= width || y < 0 || y >= height then
+    invalid_arg
+      (Printf.sprintf
+         "there is no pixel (%d, %d): x goes from 0 to %d, y from 0 to %d" x y
+         (width - 1) (height - 1))
+
+let pixel x y =
+  check_pixel x y;
+  Explain.pixel (Session.trace ()) ~x ~y
+
+let why x y = Tell.summary ~pixel:(x, y) (pixel x y)
+
+let primary x y =
+  check_pixel x y;
+  Camera.primary_ray (scene ()).camera ~x ~y
+
+let trace ray = Trace.ray (Session.trace ()) ray
+let hit ray = Trace.nearest_hit (Session.trace ()) ray
+let explain ray = Explain.ray (Session.trace ()) ray
+
+(* {1 Step by step} *)
+
+let steps ray =
+  let events = Explain.steps (Session.trace ()) ray in
+  Session.set_walk (Walk.start events);
+  events
+
+let go way nowhere =
+  match Session.walk () with
+  | None -> invalid_arg "there are no steps yet: say steps (primary X Y) first"
+  | Some walk -> (
+      match way walk with
+      | None -> invalid_arg nowhere
+      | Some (event, walk) ->
+          Session.set_walk walk;
+          event)
+
+let next () = go Walk.next "that was the last step; back () goes back"
+let back () = go Walk.back "there is no step before; next () goes on"
+
+(* {1 The picture} *)
+
+let render () = Fast.picture (scene ())
+
+let save path =
+  let written =
+    match Picture_file.format_of_path path with
+    | Error message -> invalid_arg message
+    | Ok format ->
+        let { Camera.width; height; _ } = (scene ()).camera in
+        Result.bind (Picture_file.check_size format ~width ~height) (fun () ->
+            Picture_file.save format ~path (render ()))
+  in
+  match written with
+  | Ok () -> Format.printf "wrote %s@." path
+  | Error message -> raise (Sys_error message)

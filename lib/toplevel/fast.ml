@@ -1,0 +1,94 @@
+open Raylab_scene
+open Raylab_language
+open Raylab_tracer
+open Raylab_picture
+
+let variable = "RAYLAB_PROGRAM"
+
+let program () =
+  match Sys.getenv_opt variable with
+  | Some path when Sys.file_exists path -> Some path
+  | _ -> None
+
+(* {1 Reading the program's picture}
+
+   It is the BMP of Picture_file: 24 bits a pixel, blue first, rows from the
+   bottom and padded to a multiple of four bytes. *)
+
+let read_header channel =
+  let start = really_input_string channel 14 in
+  let offset = Int32.to_int (String.get_int32_le start 10) in
+  let header = really_input_string channel (offset - 14) in
+  let field at = Int32.to_int (String.get_int32_le header at) in
+  (field 4, field 8)
+
+let read_picture channel =
+  let width, height = read_header channel in
+  let picture = Picture.create ~width ~height in
+  let rgb = Picture.to_rgb picture in
+  let row = Bytes.create (((3 * width) + 3) land lnot 3) in
+  for y = height - 1 downto 0 do
+    really_input channel row 0 (Bytes.length row);
+    for x = 0 to width - 1 do
+      let from = 3 * x and into = 3 * ((y * width) + x) in
+      Bytes.set rgb into (Bytes.get row (from + 2));
+      Bytes.set rgb (into + 1) (Bytes.get row (from + 1));
+      Bytes.set rgb (into + 2) (Bytes.get row from)
+    done
+  done;
+  picture
+
+(* {1 Running the program} *)
+
+let with_scene_file scene f =
+  let path = Filename.temp_file "raylab" ".scene" in
+  let write channel =
+    let ppf = Format.formatter_of_out_channel channel in
+    Format.fprintf ppf "%a@?" Scene_file.print scene
+  in
+  Fun.protect
+    ~finally:(fun () -> Sys.remove path)
+    (fun () ->
+      Out_channel.with_open_bin path write;
+      f path)
+
+(* Ctrl-C goes to the program as well, which then ends by itself. *)
+let end_of pid =
+  let rec wait () =
+    match Unix.waitpid [] pid with
+    | _, status -> status
+    | exception Unix.Unix_error (EINTR, _, _) -> wait ()
+  in
+  wait ()
+
+let render_with program path =
+  let output, input = Unix.pipe ~cloexec:true () in
+  let pid =
+    Unix.create_process program
+      [| program; "render"; path; "-o"; "-" |]
+      Unix.stdin input Unix.stderr
+  in
+  Unix.close input;
+  let channel = Unix.in_channel_of_descr output in
+  set_binary_mode_in channel true;
+  let picture =
+    try Ok (read_picture channel) with
+    | End_of_file -> Error None
+    | exn -> Error (Some exn)
+  in
+  close_in channel;
+  match (picture, end_of pid) with
+  | Ok picture, WEXITED 0 -> picture
+  | Error (Some exn), _ -> raise exn
+  | _, WEXITED 130 -> raise Sys.Break
+  | _, (WEXITED code | WSIGNALED code | WSTOPPED code) ->
+      failwith (Printf.sprintf "%s ended with status %d" program code)
+
+let picture (scene : Scene.t) =
+  let { Camera.width; height; _ } = scene.camera in
+  Result.iter_error
+    (fun message -> raise (Sys_error message))
+    (Picture_file.check_size Bmp ~width ~height);
+  match program () with
+  | Some program -> with_scene_file scene (render_with program)
+  | None -> fst (Render.picture (Trace.prepare scene))

@@ -1,0 +1,21 @@
+(** Rendering by the native program.
+
+    A prompt runs bytecode, which renders some 17 times slower than native code.
+    So whole pictures are left to the [raylab] that started the prompt: it gets
+    the scene in a temporary file, in the scene language, and gives the picture
+    back. It is the same tracer, so the picture is the same, bit for bit. *)
+
+open Raylab_scene
+open Raylab_tracer
+
+val variable : string
+(** [variable] is the environment variable by which [raylab repl] says where it
+    is itself: ["RAYLAB_PROGRAM"]. *)
+
+val picture : Scene.t -> Picture.t
+(** [picture scene] is the picture of [scene], made by the native program, or
+    here if there is none. The program shows its progress on a terminal.
+
+    @raise Sys_error if the picture would not fit into memory.
+    @raise Failure if the program ends without a picture.
+    @raise Sys.Break if it is interrupted. *)

@@ -1,0 +1,47 @@
+(** What a session opens: all that a learner types, in one module.
+
+    [raylab repl] and [dune utop lib] open it by themselves; elsewhere say
+    [open Raylab_toplevel.Prelude]. *)
+
+(** {1 The words} *)
+
+include module type of struct
+  include Explore
+end
+
+include module type of struct
+  include Build
+end
+
+(** {1 The library} *)
+
+module Vec3 = Raylab_geometry.Vec3
+module Direction = Raylab_geometry.Direction
+module Ray = Raylab_geometry.Ray
+module Shape = Raylab_geometry.Shape
+module Sphere = Raylab_geometry.Sphere
+module Plane = Raylab_geometry.Plane
+module Color = Raylab_scene.Color
+module Grey = Raylab_scene.Grey
+module Surface = Raylab_scene.Surface
+module Light = Raylab_scene.Light
+module Object = Raylab_scene.Object
+module Camera = Raylab_scene.Camera
+module Scene = Raylab_scene.Scene
+module Scene_file = Raylab_language.Scene_file
+module Scene_error = Raylab_language.Scene_error
+module Hit = Raylab_tracer.Hit
+module Event = Raylab_tracer.Event
+module Trace = Raylab_tracer.Trace
+module Explain = Raylab_tracer.Explain
+module Report = Raylab_explanation.Report
+module Path_picture = Raylab_explanation.Path_picture
+module Picture = Raylab_tracer.Picture
+module Tally = Raylab_tracer.Tally
+module Render = Raylab_tracer.Render
+module Picture_file = Raylab_picture.Picture_file
+
+(** How values are shown; utop installs these by itself. *)
+module Printers : module type of struct
+  include Printers
+end

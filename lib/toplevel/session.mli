@@ -1,0 +1,28 @@
+(** The session: what the words of the prompt are about.
+
+    It is the one place of the library with state that lasts: a prompt is a
+    conversation, and a conversation has a subject. *)
+
+open Raylab_scene
+open Raylab_language
+open Raylab_tracer
+
+val scene : unit -> Scene.t
+(** [scene ()] is the current scene, at first {!Build.empty}. *)
+
+val trace : unit -> Trace.t
+(** [trace ()] is the current scene made ready for tracing. *)
+
+val use : Scene.t -> unit
+(** [use scene] makes [scene] the current one and ends the walk. *)
+
+val load : string -> (Scene.t, Scene_error.t list) result
+(** [load path] reads a scene file. If that is right it is the current scene,
+    else nothing has changed. *)
+
+val walk : unit -> Walk.t option
+(** [walk ()] is where the walk through the steps of a ray is, if there is one.
+*)
+
+val set_walk : Walk.t -> unit
+(** [set_walk place] is where the walk goes on. *)

@@ -1,0 +1,26 @@
+open Raylab_scene
+open Raylab_language
+open Raylab_explanation
+
+let errors = List.iter (Format.eprintf "%a@." Scene_error.pp)
+
+let warnings path scene =
+  List.iter
+    (Format.eprintf "%s: warning: %s@." (Source.printable path))
+    (Scene.warnings scene)
+
+let count list noun =
+  let n = List.length list in
+  Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
+
+let contents path (scene : Scene.t) =
+  Format.printf "%s: %s, %s, %d x %d pixels@." (Source.printable path)
+    (count scene.objects "object")
+    (count scene.lights "light")
+    scene.camera.width scene.camera.height
+
+let swatches () =
+  Swatch.detect ~is_terminal:(Unix.isatty Unix.stdout) Sys.getenv_opt
+
+let summary ~pixel e =
+  Format.printf "%a@." (Report.pp_summary ~swatches:(swatches ()) ~pixel) e

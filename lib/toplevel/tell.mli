@@ -1,0 +1,26 @@
+(** Telling, as the command line does. *)
+
+open Raylab_scene
+open Raylab_language
+open Raylab_tracer
+open Raylab_explanation
+
+(** {1 Scene files} *)
+
+val errors : Scene_error.t list -> unit
+(** [errors list] prints [list] on standard error. *)
+
+val warnings : string -> Scene.t -> unit
+(** [warnings path scene] prints the warnings of [scene], which was read from
+    [path], on standard error. *)
+
+val contents : string -> Scene.t -> unit
+(** [contents path scene] prints how much is in [scene], on one line. *)
+
+(** {1 Explanations} *)
+
+val swatches : unit -> Swatch.t
+(** [swatches ()] is the patches of colour that standard output can show. *)
+
+val summary : pixel:int * int -> Explain.t -> unit
+(** [summary ~pixel e] prints the summary of [e], an explanation of [pixel]. *)

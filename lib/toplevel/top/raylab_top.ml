@@ -1,0 +1,2 @@
+let () =
+  Clflags.open_modules := "Raylab_toplevel.Prelude" :: !Clflags.open_modules

@@ -1,0 +1,1 @@
+let () = Alcotest.run "toplevel" [ Test_walk.suite; Test_fast.suite ]
