@@ -11,10 +11,20 @@ let print_line line =
     flush stderr
   with Sys_error _ -> close_out_noerr stderr
 
-let tell format = Printf.ksprintf print_line format
+(* File names and the like come from outside, and a terminal obeys what it is
+   sent. *)
+let tell format =
+  Printf.ksprintf (fun text -> print_line (Source.printable text)) format
 
-let say format =
-  Printf.ksprintf (fun text -> print_line ("raylab: " ^ text)) format
+let say format = tell ("raylab: " ^^ format)
+
+let usage_errors =
+  let out = Format.pp_get_formatter_out_functions Format.err_formatter () in
+  let out_string text first length =
+    let text = Source.printable (String.sub text first length) in
+    out.out_string text 0 (String.length text)
+  in
+  Format.formatter_of_out_functions { out with out_string }
 
 let end_with code format =
   Printf.ksprintf
@@ -44,9 +54,19 @@ let is_same_file a b =
   | a, b -> a.st_dev = b.st_dev && a.st_ino = b.st_ino
   | exception Unix.Unix_error _ -> false
 
+let failed reason =
+  say "%s" reason;
+  Exit_code.failed
+
 let run action =
   let run action =
-    match action () with () -> Exit_code.ok | exception Ended code -> code
+    match action () with
+    | () -> Exit_code.ok
+    | exception Ended code -> code
+    | exception Out_of_memory -> failed "out of memory"
+    | exception Stack_overflow -> failed "out of memory for the stack"
+    | exception failure ->
+        failed ("an error of raylab itself: " ^ Printexc.to_string failure)
   in
   Term.(const run $ action)
 

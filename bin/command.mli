@@ -4,10 +4,15 @@
 
 val tell : ('a, unit, string, unit) format4 -> 'a
 (** [tell "..." ...] prints a line on standard error, if that can be written to.
-*)
+    It prints {!Raylab_language.Source.printable} characters only. *)
 
 val say : ('a, unit, string, unit) format4 -> 'a
 (** [say "..." ...] is {!tell} with the name of the program before it. *)
+
+val usage_errors : Format.formatter
+(** [usage_errors] prints on standard error, and
+    {!Raylab_language.Source.printable} characters only: what Cmdliner has to
+    say about a command line, which may quote any bytes. *)
 
 (** {1 Ends} *)
 
@@ -41,7 +46,9 @@ val print_error : Raylab_language.Scene_error.t -> unit
 (** {1 Running} *)
 
 val run : (unit -> unit) Cmdliner.Term.t -> int Cmdliner.Term.t
-(** [run action] is the term whose value is the exit code of its action. *)
+(** [run action] is the term whose value is the exit code of its action. An
+    exception that nobody expected, whichever domain it comes from, is told in
+    one line. *)
 
 val info :
   string -> doc:string -> Cmdliner.Manpage.block list -> Cmdliner.Cmd.info

@@ -2,6 +2,7 @@ let ok = 0
 let scene_error = 1
 let not_written = 2
 let usage = Cmdliner.Cmd.Exit.cli_error
+let failed = Cmdliner.Cmd.Exit.internal_error
 let interrupted = 130
 let hung_up = 129
 let terminated = 143
@@ -16,5 +17,5 @@ let infos =
     info interrupted "if interrupted by Ctrl-C; nothing is written then.";
     info hung_up "if the terminal went away; nothing is written then.";
     info terminated "if ended by a signal; nothing is written then.";
-    info Cmdliner.Cmd.Exit.internal_error "on an error of raylab itself.";
+    info failed "if memory runs out, or on an error of raylab itself.";
   ]

@@ -12,6 +12,9 @@ val not_written : int
 val usage : int
 (** 124: the command line is wrong *)
 
+val failed : int
+(** 125: memory ran out, or raylab itself is in error *)
+
 val interrupted : int
 (** 130: interrupted by Ctrl-C *)
 

@@ -49,4 +49,4 @@ let () =
       (Sys.sighup, Exit_code.hung_up);
       (Sys.sigterm, Exit_code.terminated);
     ];
-  exit (Cmd.eval' ~argv program)
+  exit (Cmd.eval' ~err:Command.usage_errors ~argv program)

@@ -6,11 +6,19 @@ open Raylab_scene
 type report = {
   source : Source.t;
   mutable errors : (Span.t * Scene_error.t) list;
+  mutable count : int;
+  mutable first_untold : Span.t option;
 }
 
+(* More help nobody, and a hostile file has as many as would fill memory. *)
+let most_errors = 100_000
+
 let error report span ?advice message =
-  let found = Scene_error.make report.source span ?advice message in
-  report.errors <- (span, found) :: report.errors
+  report.count <- report.count + 1;
+  if report.count <= most_errors then
+    let found = Scene_error.make report.source span ?advice message in
+    report.errors <- (span, found) :: report.errors
+  else if report.first_untold = None then report.first_untold <- Some span
 
 let check_value report rule name span value =
   match Number.broken rule value with
@@ -89,12 +97,17 @@ let rec check_surface words surface =
   | Syntax.Reflective -> ()
   | Diffusive color | Luminous color ->
       check_color words "the surface's colour" color
-  | Mixed parts ->
-      List.iter
-        (fun (weight, surface) ->
-          check_next words Non_negative "the weight" weight;
-          check_surface words surface)
-        parts
+  | Mixed parts -> check_mix words parts
+
+(* The last part, which may be a mix of a million mixes, by a tail call. *)
+and check_mix words = function
+  | [] -> ()
+  | (weight, surface) :: rest ->
+      check_next words Non_negative "the weight" weight;
+      if rest = [] then check_surface words surface
+      else (
+        check_surface words surface;
+        check_mix words rest)
 
 let check_object words { Syntax.shape; surface; _ } =
   check_shape words shape;
@@ -185,12 +198,28 @@ let shape = function
   | Syntax.Sphere { centre; radius } -> Shape.sphere ~centre ~radius
   | Plane { point; normal } -> Shape.plane ~point ~normal
 
-let rec surface = function
-  | Syntax.Diffusive c -> Surface.diffusive c
-  | Reflective -> Surface.reflective
-  | Luminous c -> Surface.luminous c
-  | Mixed parts ->
-      Surface.mixed (List.map (fun (weight, s) -> (weight, surface s)) parts)
+(* [enclose inner mixes] is [inner] in all of [mixes], the innermost first: each
+   is its parts before, the last of them first, and the weight of what is in it.
+*)
+let enclose =
+  List.fold_left (fun inner (before, weight) ->
+      Surface.mixed (List.rev ((weight, inner) :: before)))
+
+(* Only the last part of a mix is a mix, which may go on a million deep: down
+   that chain and up again by loops. *)
+let rec surface_in mixes = function
+  | Syntax.Diffusive c -> enclose (Surface.diffusive c) mixes
+  | Reflective -> enclose Surface.reflective mixes
+  | Luminous c -> enclose (Surface.luminous c) mixes
+  | Mixed parts -> mix_in mixes [] parts
+
+and mix_in mixes before = function
+  | [ (weight, last) ] -> surface_in ((before, weight) :: mixes) last
+  | (weight, surface) :: rest ->
+      mix_in mixes ((weight, surface_in [] surface) :: before) rest
+  | [] -> invalid_arg "a mix of no surfaces"
+
+let surface = surface_in []
 
 let object_ { Syntax.shape = s; surface = f; line; _ } =
   Object.make ~line (shape s) (surface f)
@@ -234,8 +263,17 @@ let in_order errors =
   let by_start (a, _) (b, _) = Int.compare (Span.start a) (Span.start b) in
   List.map snd (List.stable_sort by_start (List.rev errors))
 
+let untold report =
+  let tell span =
+    let more = report.count - most_errors in
+    Scene_error.make report.source span
+      (Printf.sprintf "%d more error%s, the first of them here" more
+         (if more = 1 then "" else "s"))
+  in
+  Option.to_list (Option.map tell report.first_untold)
+
 let scene source { Syntax.header; header_end; lights; objects } =
-  let report = { source; errors = [] } in
+  let report = { source; errors = []; count = 0; first_untold = None } in
   check_header report header header_end;
   let lights =
     build_all report light check_light (fun l -> l.Syntax.start) lights
@@ -245,4 +283,4 @@ let scene source { Syntax.header; header_end; lights; objects } =
   in
   match report.errors with
   | [] -> Ok (build_scene header lights objects)
-  | errors -> Error (in_order errors)
+  | errors -> Error (in_order errors @ untold report)

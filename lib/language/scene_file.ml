@@ -78,10 +78,17 @@ let rec print_surface ppf = function
   | Luminous c -> Format.fprintf ppf "luminous %s" (color c)
   | Mixed parts ->
       Format.pp_print_string ppf "mixed";
-      List.iter
-        (fun (weight, surface) ->
-          Format.fprintf ppf " %s %a" (number weight) print_surface surface)
-        parts
+      print_parts ppf parts
+
+(* The last part, which may be a mix of a million mixes, by a tail call. *)
+and print_parts ppf = function
+  | [] -> ()
+  | (weight, surface) :: rest ->
+      Format.fprintf ppf " %s " (number weight);
+      if rest = [] then print_surface ppf surface
+      else (
+        print_surface ppf surface;
+        print_parts ppf rest)
 
 let print ppf (scene : Scene.t) =
   let { Camera.width; height; canvas_width; canvas_height; depth } =

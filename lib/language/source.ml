@@ -1,4 +1,4 @@
-type t = { name : string; text : string; line_starts : int array Lazy.t }
+type t = { name : string; text : string; lines : Lines.t Lazy.t }
 
 let printable text =
   let out = Buffer.create (String.length text) in
@@ -23,11 +23,6 @@ let printable text =
   copy 0;
   Buffer.contents out
 
-let find_line_starts text =
-  let starts = ref [ 0 ] in
-  String.iteri (fun i c -> if c = '\n' then starts := (i + 1) :: !starts) text;
-  Array.of_list (List.rev !starts)
-
 let byte_order_mark = "\xef\xbb\xbf"
 
 let make ~name text =
@@ -37,44 +32,26 @@ let make ~name text =
       String.sub text n (String.length text - n)
     else text
   in
-  { name = printable name; text; line_starts = lazy (find_line_starts text) }
+  { name = printable name; text; lines = lazy (Lines.index text) }
 
 let name source = source.name
 let text source = source.text
 
-(* The last line that starts at or before [offset], counted from 0. *)
-let line_at source offset =
-  let starts = Lazy.force source.line_starts in
-  let rec search low high =
-    if high - low <= 1 then low
-    else
-      let middle = (low + high) / 2 in
-      if starts.(middle) <= offset then search middle high
-      else search low middle
-  in
-  search 0 (Array.length starts)
-
-(* Where the line of this number, counted from 0, starts. *)
-let line_start source line = (Lazy.force source.line_starts).(line)
-
-(* Where it ends, its line end left out. *)
-let line_stop source line =
-  let starts = Lazy.force source.line_starts in
-  let start = starts.(line) in
-  let stop =
-    if line + 1 < Array.length starts then starts.(line + 1) - 1
-    else String.length source.text
-  in
-  if stop > start && source.text.[stop - 1] = '\r' then stop - 1 else stop
+(* The line on which [span] starts, a carriage return at its end left out. *)
+let line_of source span =
+  let line = Lines.at (Lazy.force source.lines) (Span.start span) in
+  let { Lines.start; stop; _ } = line in
+  if stop > start && source.text.[stop - 1] = '\r' then
+    { line with stop = stop - 1 }
+  else line
 
 type place = { line : int; first : int; last : int }
 
 let place source span =
-  let line = line_at source (Span.start span) in
-  let start = line_start source line in
+  let { Lines.number; start; stop } = line_of source span in
   let first = Span.start span - start + 1 in
-  let stop = Int.min (Span.stop span) (line_stop source line) in
-  { line = line + 1; first; last = Int.max first (stop - start) }
+  let last = Int.min (Span.stop span) stop - start in
+  { line = number + 1; first; last = Int.max first last }
 
 let longest_quote = 40
 
@@ -111,8 +88,7 @@ let characters text =
   String.fold_left count 0 text
 
 let excerpt source span =
-  let line = line_at source (Span.start span) in
-  let start = line_start source line and stop = line_stop source line in
+  let { Lines.start; stop; _ } = line_of source span in
   let from, until =
     if stop - start <= widest_excerpt then (start, stop)
     else

@@ -24,11 +24,15 @@ let iter ~domains ?(on_progress = ignore) ~worker ~count work =
       Atomic.set next count;
       Printexc.raise_with_backtrace failure backtrace
   in
-  let helpers =
-    List.init
-      (Int.max 0 (Int.min domains count - 1))
-      (fun _ -> Domain.spawn (run ignore))
+  (* where the system gives no more domains, those that there are do the work *)
+  let rec spawn n =
+    if n <= 0 then []
+    else
+      match Domain.spawn (run ignore) with
+      | helper -> helper :: spawn (n - 1)
+      | exception Failure _ -> []
   in
+  let helpers = spawn (Int.min domains count - 1) in
   let own =
     try Ok (run (fun () -> on_progress (Atomic.get finished)) ())
     with failure -> Error (failure, Printexc.get_raw_backtrace ())

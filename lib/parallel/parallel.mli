@@ -18,6 +18,7 @@ val iter :
     [count - 1], on at most [domains] domains, the calling one included. Each
     domain makes a [w] of its own by [worker ()] and takes the next [k] that
     nobody has taken, until none is left. The result is the [w]s of all domains.
+    Fewer domains than that work where the system grants no more.
 
     After each piece of work of the calling domain, [on_progress n] is told how
     many pieces are done.

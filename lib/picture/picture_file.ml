@@ -21,6 +21,12 @@ let most_bytes = 1 lsl 32
 (* The library that writes PNG crashes from about 26,000 pixels a side on. *)
 let longest_png_side = 25_000
 
+(* The lengths in the header of a BMP have 32 bits; a row is filled up to a
+   multiple of 4 bytes, and there are 55 bytes before the first. *)
+let bmp_bytes ~width ~height =
+  let row = Float.ceil (0.75 *. float_of_int width) *. 4. in
+  (row *. float_of_int height) +. 55.
+
 let check_size format ~width ~height =
   let bytes = 3. *. float_of_int width *. float_of_int height in
   if bytes > float_of_int most_bytes then
@@ -35,6 +41,12 @@ let check_size format ~width ~height =
          "a PNG of %d x %d pixels is too large; the limit is %d a side. Use \
           .bmp or .ppm"
          width height longest_png_side)
+  else if format = Bmp && bmp_bytes ~width ~height > 0x1p32 -. 1. then
+    Error
+      (Printf.sprintf
+         "a BMP of %d x %d pixels is too large: no BMP has more than 4 GiB. \
+          Use .ppm"
+         width height)
   else Ok ()
 
 (* {1 Writing} *)

@@ -57,6 +57,14 @@ let color_of ({ r; g; b } : color) = Color.make r g b
    largest number that went into it; this leaves some room. *)
 let rounding = 0x1p-44
 
+(* Where doubles end: no hit lies farther out, nor is moved farther off, so that
+   what is computed from it is finite. *)
+let farthest = 0x1p1022
+let farthest_offset = rounding *. farthest
+
+let[@inline] within x =
+  if x > farthest then farthest else if x < -.farthest then -.farthest else x
+
 (* [set_hit t x y z nx ny nz size] puts the point (x, y, z) and the normal there
    into the register, the normal on the side of the ray. [size] is the size of
    the shape, where its numbers went into the point. *)
@@ -75,7 +83,12 @@ let[@inline] set_hit t x y z nx ny nz size =
     *. (size +. abs_float x +. abs_float y +. abs_float z +. abs_float ray.ox
       +. abs_float ray.oy +. abs_float ray.oz)
   and usual = t.scene.offset in
-  hit.offset <- (if usual >= least then usual else least)
+  if usual >= least then hit.offset <- usual
+  else (
+    hit.offset <- (if least <= farthest_offset then least else farthest_offset);
+    hit.x <- within x;
+    hit.y <- within y;
+    hit.z <- within z)
 
 let find_hit t number =
   let ray = t.ray in
@@ -89,7 +102,7 @@ let find_hit t number =
   if radius > 0. then
     let vx = x -. cx and vy = y -. cy and vz = z -. cz in
     let squared = (vx *. vx) +. (vy *. vy) +. (vz *. vz) in
-    if squared > 0. then
+    if squared > 0. && squared < infinity then
       let scale = 1. /. sqrt squared in
       let nx = vx *. scale and ny = vy *. scale and nz = vz *. scale in
       (* The sum above carries the rounding errors of origin and distance; the
@@ -120,8 +133,8 @@ let number_of_light at = (at / Flat_scene.light_size) + 1
 let tell_blocker observe t at =
   let shadow = t.shadow_ray in
   let by = t.query.nearest shadow + 1 in
-  let ray = Ray.of_raw shadow in
-  let point = Ray.at ray shadow.reach in
+  let { Vec3.x; y; z } = Ray.at (Ray.of_raw shadow) shadow.reach in
+  let point = Vec3.make (within x) (within y) (within z) in
   observe
     (Event.Blocked { light = number_of_light at; by; t = shadow.reach; point })
 
@@ -182,7 +195,12 @@ let point_light t at =
   let wx = lx -. hit.x and wy = ly -. hit.y and wz = lz -. hit.z in
   let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz)
   and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
-  let cosine = if squared > 0. then facing /. sqrt squared else 0. in
+  (* a light whose distance cannot be squared is too far away to be seen *)
+  let cosine =
+    if squared > 0. && squared < farthest && hit.offset < 0x1p500 then
+      facing /. sqrt squared
+    else 0.
+  in
   if cosine > 0. then (
     let vx = lx -. shadow.ox
     and vy = ly -. shadow.oy

@@ -47,11 +47,11 @@ let events scene evaluate =
 
 let unexpected () = invalid_arg "Explain: events in a wrong order"
 
-let rec read_lights scene (events : Event.t list) =
+(* There may be a million lights: no stack as deep. *)
+let rec read_lights scene read (events : Event.t list) =
   let light number verdict rest =
-    let others, rest = read_lights scene rest in
-    ( { number; light = Trace.numbered_light scene number; verdict } :: others,
-      rest )
+    let light = Trace.numbered_light scene number in
+    read_lights scene ({ number; light; verdict } :: read) rest
   in
   match events with
   | Faces_away { light = k; cosine } :: rest ->
@@ -67,7 +67,7 @@ let rec read_lights scene (events : Event.t list) =
         rest
   | Lit { light = k; cosine; falloff; contribution } :: rest ->
       light k (Lit { shadow_ray = None; cosine; falloff; contribution }) rest
-  | _ -> ([], events)
+  | _ -> (List.rev read, events)
 
 let rec read_ray scene ray left (events : Event.t list) =
   match events with
@@ -75,7 +75,7 @@ let rec read_ray scene ray left (events : Event.t list) =
       ({ ray; left; outcome = Chain_ended; color }, rest)
   | Missed color :: rest -> ({ ray; left; outcome = Missed; color }, rest)
   | Nearest_hit hit :: rest -> (
-      let lights, rest = read_lights scene rest in
+      let lights, rest = read_lights scene [] rest in
       let reflection, rest = read_reflection scene rest in
       match (rest : Event.t list) with
       | Mixed { emitted; light; diffused; mirrored; color } :: rest ->

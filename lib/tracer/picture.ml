@@ -5,6 +5,10 @@ type t = { width : int; height : int; rgb : Bytes.t }
 let create ~width ~height =
   if width < 1 || height < 1 then
     invalid_arg (Printf.sprintf "a picture of %d x %d pixels" width height);
+  (* [3 * width * height] might be more than an integer holds *)
+  if height > Sys.max_string_length / 3 / width then
+    invalid_arg
+      (Printf.sprintf "a picture of %d x %d pixels is too large" width height);
   { width; height; rgb = Bytes.make (3 * width * height) '\000' }
 
 let width picture = picture.width

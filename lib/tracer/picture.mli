@@ -11,7 +11,10 @@ val create : width:int -> height:int -> t
 (** [create ~width ~height] is a black picture of this size, three bytes a
     pixel.
 
-    @raise Invalid_argument if [width] or [height] is less than 1. *)
+    @raise Invalid_argument
+      if [width] or [height] is less than 1, or there are more bytes than
+      [Sys.max_string_length]. Whether they fit into memory is asked by
+      [Picture_file.check_size]; if they do not, [Out_of_memory] is raised. *)
 
 val width : t -> int
 (** [width picture] is the number of pixels in a row. *)

@@ -259,7 +259,7 @@ Help and version go to standard output. A version is no place-holder.
   
          124 if the command line is wrong.
   
-         125 on an error of raylab itself.
+         125 if memory runs out, or on an error of raylab itself.
   
          129 if the terminal went away; nothing is written then.
   
@@ -336,7 +336,7 @@ Help and version go to standard output. A version is no place-holder.
   
          124 if the command line is wrong.
   
-         125 on an error of raylab itself.
+         125 if memory runs out, or on an error of raylab itself.
   
          129 if the terminal went away; nothing is written then.
   
@@ -382,7 +382,7 @@ Help and version go to standard output. A version is no place-holder.
   
          124 if the command line is wrong.
   
-         125 on an error of raylab itself.
+         125 if memory runs out, or on an error of raylab itself.
   
          129 if the terminal went away; nothing is written then.
   

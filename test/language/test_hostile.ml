@@ -108,6 +108,15 @@ let test_many_errors () =
     (count (times 20_000 (wrong ^ "\n")));
   Alcotest.(check int) "on one line" 1000 (count (times 1000 (wrong ^ " ")))
 
+(* A file with nothing but errors must not fill memory with their reports. *)
+let test_errors_beyond () =
+  let text = "sphere 0 0 6 1 mixed" ^ times 105_000 " -1 reflective" in
+  let errors = Read.errors (Read.with_header text) in
+  Alcotest.(check int) "not all" 100_001 (List.length errors);
+  Alcotest.(check string)
+    "how many more" "5000 more errors, the first of them here"
+    (List.nth errors 100_000).message
+
 let suite =
   ( "Hostile",
     [
@@ -119,4 +128,5 @@ let suite =
       Alcotest.test_case "deep" `Quick test_deep;
       Alcotest.test_case "long" `Quick test_long;
       Alcotest.test_case "many errors" `Quick test_many_errors;
+      Alcotest.test_case "more errors than are told" `Quick test_errors_beyond;
     ] )

@@ -2,6 +2,7 @@ let () =
   Alcotest.run "language"
     [
       Test_span.suite;
+      Test_lines.suite;
       Test_source.suite;
       Test_decimal.suite;
       Test_lexer.suite;

@@ -1,0 +1,188 @@
+type kind = string * (Random.State.t -> string)
+
+let choose random items = items.(Random.State.int random (Array.length items))
+let up_to random n = Random.State.int random (n + 1)
+let one_in random n = Random.State.int random n = 0
+
+(* [some random n item] is up to [n] items, joined. *)
+let some random n item =
+  String.concat " " (List.init (up_to random n) (fun _ -> item random))
+
+(* {1 Bytes and words} *)
+
+let any_byte random = Char.chr (Random.State.int random 256)
+let bytes random = String.init (up_to random 80) (fun _ -> any_byte random)
+
+let keywords =
+  let word (word, _) = word in
+  Array.of_list (List.map word Raylab_language.Keyword.all)
+
+let strange =
+  [|
+    "\x00"; "\xff"; "\xc3"; "\xed\xa0\x80"; "\xf4\x90\x80\x80"; "\xef\xbb\xbf";
+    "\x1b[31m"; "\x1b]0;x\x07"; "\u{202E}"; "\u{200B}"; "\u{85}"; "\x7f"; "\r";
+    "\r\n"; "\n"; "\t"; "\x0b"; "#"; "# sphere\n"; "difuse"; "shpere"; "nan";
+    "inf"; "-inf"; "0x10"; "1_000"; "1e"; "1e+"; "."; "-"; "+"; "--1"; "1.2.3";
+    "1e400"; "-1e400"; "1e-400"; "-0"; "99999999999999999999"; "1e999999999";
+    "0.00000000000000000000000000001"; "00000000000000000000000000000001";
+    "2147483647"; "2147483648"; "-1"; "0"; "4e-324"; "1.7976931348623157e308";
+    "1.7976931348623159e308";
+  |]
+[@@ocamlformat "disable"]
+
+let word random =
+  match up_to random 3 with
+  | 0 -> choose random strange
+  | 1 -> string_of_int (up_to random 9)
+  | _ -> choose random keywords
+
+let words random = some random 40 word
+
+(* {1 Scenes by the grammar}
+
+   Each scene draws its numbers from one of these, since what is interesting
+   about a number is often how it fits another. *)
+
+let everyday random =
+  Printf.sprintf "%.3g" (Random.State.float random 20. -. 10.)
+
+(* The eye is at (0, 0, -1) or (0, 0, -5); much coincides. *)
+let few random = choose random [| "0"; "1"; "-1"; "5"; "-5"; "2"; "-0" |]
+
+let any_size random =
+  let sign = if Random.State.bool random then "-" else "" in
+  Printf.sprintf "%s%de%d" sign (up_to random 9) (up_to random 300 - 150)
+
+let largest random =
+  choose random
+    [|
+      "1e150"; "-1e150"; "1e-150"; "1e154"; "-1e160"; "1e200"; "1e300";
+      "-1.7976931348623157e308"; "1.7976931348623157e308"; "4e-324"; "-4e-324";
+      "1e-310"; "0"; "1"; "-1"; "1e-9"; "1e9"; "1e308"; "1e-5"; "1e15";
+    |]
+[@@ocamlformat "disable"]
+
+let mixture random =
+  (choose random [| everyday; few; any_size; largest |]) random
+
+let without_sign text =
+  if text.[0] = '-' then String.sub text 1 (String.length text - 1) else text
+
+(* Nearly always right, so that the rest of the scene is reached. *)
+let at_least_0 number random =
+  let text = number random in
+  if one_in random 200 then text else without_sign text
+
+let positive number random =
+  let text = at_least_0 number random in
+  if float_of_string_opt text = Some 0. && not (one_in random 200) then "1"
+  else text
+
+let vector number random =
+  Printf.sprintf "%s %s %s" (number random) (number random) (number random)
+
+let direction number random =
+  let text = vector number random in
+  if one_in random 200 then text
+  else
+    Scanf.sscanf text "%f %f %f" (fun x y z ->
+        if x = 0. && y = 0. && z = 0. then "0 1 0" else text)
+
+let color number random =
+  if Random.State.bool random then choose random [| "white"; "red"; "Black" |]
+  else vector (at_least_0 number) random
+
+let rec surface number depth random =
+  match up_to random (if depth = 0 then 2 else 3) with
+  | 0 -> "diffusive " ^ color number random
+  | 1 -> "reflective"
+  | 2 -> "luminous " ^ color number random
+  | _ ->
+      let part random =
+        at_least_0 number random ^ " " ^ surface number (depth - 1) random
+      in
+      Printf.sprintf "mixed %s %s" (part random) (some random 2 part)
+
+let object_ number random =
+  let shape =
+    if Random.State.bool random then
+      Printf.sprintf "sphere %s %s" (vector number random)
+        (positive number random)
+    else
+      Printf.sprintf "plane %s %s" (vector number random)
+        (direction number random)
+  in
+  shape ^ " " ^ surface number 3 random ^ "\n"
+
+let light number random =
+  let intensity = at_least_0 number random and color = color number random in
+  if Random.State.bool random then
+    Printf.sprintf "spherical %s %s %s\n" intensity color (vector number random)
+  else
+    Printf.sprintf "directional %s %s %s\n" intensity color
+      (direction number random)
+
+let scene_of number random =
+  let size () =
+    if one_in random 3 then positive number random
+    else choose random [| "1"; "2"; "5" |]
+  in
+  let pixels () =
+    if one_in random 100 then choose random strange
+    else string_of_int (1 + up_to random 3)
+  in
+  Printf.sprintf
+    "imWidth %s imHeight %s canvWidth %s canvHeight %s depth %s\n\
+     bcolor %s raydepth %d\n\
+     lights\n\
+     %s\n\
+     objects\n\
+     %s\n"
+    (pixels ()) (pixels ()) (size ()) (size ()) (size ()) (color number random)
+    (up_to random 7)
+    (some random 4 (light number))
+    (some random 6 (object_ number))
+
+let scene random =
+  scene_of
+    (choose random [| everyday; few; any_size; largest; mixture |])
+    random
+
+(* {1 Damage} *)
+
+let damage random text =
+  let length = String.length text in
+  let at = up_to random length in
+  let stop = Int.min length (at + up_to random 40) in
+  let before = String.sub text 0 at
+  and piece = String.sub text at (stop - at)
+  and after = String.sub text stop (length - stop) in
+  match up_to random 9 with
+  | 0 -> before ^ after
+  | 1 -> before ^ piece ^ piece ^ after
+  | 2 -> before
+  | 3 -> before ^ String.make 1 (any_byte random) ^ piece ^ after
+  | 4 -> before ^ String.uppercase_ascii piece ^ after
+  | 5 -> "\xef\xbb\xbf" ^ text
+  | 6 -> String.concat "\r\n" (String.split_on_char '\n' text)
+  | 7 -> after ^ before
+  | 8 -> before ^ " " ^ mixture random ^ " " ^ after
+  | _ -> before ^ choose random strange ^ piece ^ after
+
+let rec damage_often random n text =
+  if n = 0 then text else damage_often random (n - 1) (damage random text)
+
+let damaged source random =
+  damage_often random (1 + up_to random 3) (source random)
+
+let kinds ~gallery =
+  let gallery = Array.of_list gallery in
+  [
+    ("bytes", bytes);
+    ("words", words);
+    ("scene", scene);
+    ("damaged scene", damaged scene);
+  ]
+  @
+  if gallery = [||] then []
+  else [ ("damaged gallery", damaged (fun random -> choose random gallery)) ]

@@ -1,0 +1,20 @@
+Memory: three bytes a pixel and a constant. The constant is 12 MB; here it may
+be twice as much.
+
+  $ unset DISPLAY
+  $ cat > sky.scene <<EOF
+  > imWidth 2   imHeight 2   canvWidth 2   canvHeight 2   depth 1
+  > bcolor 0.2 0.4 0.6
+  > EOF
+  $ raylab render sky.scene -j 1 -q --size 5000x4000 -o sky.ppm & pid=$!
+  $ peak=0; while now=$(awk '/VmHWM/ { print $2 }' /proc/$pid/status 2> /dev/null)
+  >   test -n "$now"; do peak=$now; sleep 0.02; done; wait $pid; rm sky.ppm
+  $ test $peak -gt 58000 && test $peak -lt $((58594 + 24000)) || echo "$peak kB"
+
+What does not fit ends with one line. No file is there, new or half.
+
+  $ (ulimit -v 1500000; raylab render sky.scene -j 2 --size 30000x30000)
+  raylab: out of memory
+  [125]
+  $ ls -A
+  sky.scene

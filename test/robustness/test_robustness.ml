@@ -1,0 +1,1 @@
+let () = Alcotest.run "robustness" [ Test_finite.suite ]

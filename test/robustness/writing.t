@@ -1,0 +1,81 @@
+Faults while a picture is written. More of them are in ../cli/failures.t.
+
+  $ unset DISPLAY
+  $ cat > sky.scene <<EOF
+  > imWidth 4   imHeight 3   canvWidth 4   canvHeight 3   depth 4
+  > bcolor 0.2 0.4 0.6
+  > EOF
+
+No permission
+-------------
+
+To root nothing is forbidden, so these run as nobody.
+
+  $ raylab=$(command -v raylab)
+  $ top=$(mktemp -d) && chmod 755 $top && cp $raylab sky.scene $top && cd $top
+  $ as_nobody () {
+  >   if test $(id -u) = 0; then setpriv --reuid 65534 --regid 65534 --clear-groups "$@"
+  >   else "$@"; fi
+  > }
+  $ mkdir locked && echo older > locked/old.bmp && chmod 555 locked
+  $ mkdir open && chmod 777 open && echo older > open/old.bmp && chmod 444 open/old.bmp
+  $ as_nobody ./raylab render sky.scene -o locked/new.bmp
+  raylab: locked/new.bmp: Permission denied
+  [2]
+  $ as_nobody ./raylab render sky.scene -o locked/old.bmp
+  raylab: locked/old.bmp: Permission denied
+  [2]
+  $ as_nobody ./raylab render sky.scene -o open/old.bmp
+  raylab: open/old.bmp: Permission denied
+  [2]
+  $ cat locked/old.bmp open/old.bmp
+  older
+  older
+  $ ls -A locked open
+  locked:
+  old.bmp
+  
+  open:
+  old.bmp
+
+The folder goes away
+--------------------
+
+  $ cat > slow.scene <<EOF
+  > imWidth 200   imHeight 200   canvWidth 4   canvHeight 3   depth 4
+  > raydepth 400
+  > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
+  > EOF
+  $ mkdir gone
+  $ (sleep 0.2; rm -r gone) & ./raylab render slow.scene -j 1 -o gone/a.bmp; echo "[$?]"; wait
+  raylab: gone/a.bmp: No such file or directory
+  [2]
+
+Killed
+------
+
+A kill that no program can answer, while the picture is written: the older file
+is whole.
+
+  $ mkdir killed && echo older > killed/old.ppm
+  $ ./raylab render sky.scene -q --size 6000x6000 -o killed/old.ppm & pid=$!
+  $ until ls -A killed | grep -q part; do sleep 0.05; done; kill -9 $pid; wait $pid 2> /dev/null
+  [137]
+  $ cat killed/old.ppm
+  older
+
+Ended during the write, it leaves nothing else there.
+
+  $ rm -f killed/.raylab*
+  $ for signal in INT TERM; do
+  >   (trap - INT; exec ./raylab render sky.scene -q --size 6000x6000 -o killed/old.ppm) & pid=$!
+  >   until ls -A killed | grep -q part; do sleep 0.05; done; kill -$signal $pid; wait $pid; echo "[$?]"
+  >   ls -A killed; cat killed/old.ppm
+  > done
+  [130]
+  old.ppm
+  older
+  [143]
+  old.ppm
+  older
+  $ cd / && rm -r $top
