@@ -3,6 +3,10 @@ open Raylab_parallel
 open Raylab_scene
 open Raylab_tracer
 open Raylab_picture
+open Raylab_window
+
+(* Whether a window opens afterwards. *)
+type show = Never | If_there_is_a_display | Asked_for
 
 type options = {
   scene : string;
@@ -10,6 +14,7 @@ type options = {
   out : string option;
   domains : int option;
   rows : Render.rows option;
+  show : show;
   stats : bool;
   quiet : bool;
 }
@@ -82,6 +87,35 @@ let print_stats (tally : Tally.t) ~pixels ~seconds =
   Command.tell "%-15s %12.3f s" "time" seconds;
   Command.tell "%-15s %12.0f" "rays per second" (float_of_int rays /. seconds)
 
+let show options target scene picture ~seconds =
+  let quietly = options.quiet && options.show <> Asked_for in
+  let wanted =
+    match (options.show, target) with
+    | Never, _ | If_there_is_a_display, Standard_output -> false
+    | If_there_is_a_display, File _ | Asked_for, _ -> true
+  in
+  let output =
+    (* there the picture is *)
+    match target with
+    | Standard_output -> stderr
+    | File _ -> stdout
+  in
+  if wanted then
+    let load () =
+      if options.scene = "-" then Ok (Trace.scene scene)
+      else Window.load options.scene options.view ()
+    in
+    match
+      View.run ~on_loss:Window.on_loss ?domains:options.domains
+        ?rows:options.rows ~terminal:(Window.terminal output)
+        (Window.source options.scene ~load)
+        (Rendered { scene; picture; seconds })
+    with
+    | Ok () -> ()
+    | Error message when not quietly ->
+        Command.say "%s. The picture is not shown" message
+    | Error _ -> ()
+
 let render options () =
   let target = target options in
   let format = check_target options target in
@@ -93,10 +127,10 @@ let render options () =
   let domains =
     Option.value options.domains ~default:(Parallel.default_domains ())
   in
+  let ready = Trace.prepare ~domains scene in
   let picture, tally =
     Render.picture ~domains ?rows:options.rows
-      ~on_progress:(Progress.update progress)
-      (Trace.prepare ~domains scene)
+      ~on_progress:(Progress.update progress) ready
   in
   let seconds = Unix.gettimeofday () -. started in
   Progress.clear progress;
@@ -107,7 +141,8 @@ let render options () =
   if options.stats then
     print_stats tally
       ~pixels:(Picture.width picture * Picture.height picture)
-      ~seconds
+      ~seconds;
+  show options target ready picture ~seconds
 
 (* {1 The command line} *)
 
@@ -125,18 +160,15 @@ let rows =
   Options.conv parse ~docv:"A-B" (fun ppf { Render.first; last } ->
       Format.fprintf ppf "%d-%d" first last)
 
-let domains =
-  let parse text =
-    match Options.natural text with
-    | Some n when 1 <= n && n <= Parallel.max_domains -> Ok n
-    | _ ->
-        Error
-          (Printf.sprintf "'%s' is not a number of domains from 1 to %d" text
-             Parallel.max_domains)
+let asked_for =
+  let doc =
+    "Then show the picture in a window, as $(b,raylab view) does. Without a \
+     display it is written all the same, and this is no failure."
   in
-  Options.conv parse ~docv:"DOMAINS" Format.pp_print_int
+  let flag = Arg.(value & flag & info [ "show" ] ~doc) in
+  Term.(const (fun asked -> if asked then Asked_for else Never) $ flag)
 
-let options =
+let options show =
   let open Arg in
   let out =
     let doc =
@@ -147,14 +179,6 @@ let options =
        is replaced."
     in
     value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc
-  and domains =
-    let doc =
-      "Render on $(docv) domains at once, by default one for each core. The \
-       picture is the same, byte for byte."
-    in
-    value
-    & opt (some domains) None
-    & info [ "j"; "domains" ] ~docv:"DOMAINS" ~doc
   and rows =
     let doc =
       "Render only rows $(docv), both included, counted from 0 at the top. The \
@@ -171,16 +195,20 @@ let options =
     let doc = "Print neither progress nor where the picture went." in
     value & flag & info [ "q"; "quiet" ] ~doc
   in
-  let make scene view out domains rows stats quiet =
-    { scene; view; out; domains; rows; stats; quiet }
+  let make scene view out domains rows show stats quiet =
+    { scene; view; out; domains; rows; show; stats; quiet }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ domains $ rows $ stats
-    $ quiet)
+    const make $ Command.scene_arg $ Options.view $ out $ Options.domains $ rows
+    $ show $ stats $ quiet)
 
-let default = Command.run Term.(const render $ options)
+let default_show =
+  let either = function Never -> If_there_is_a_display | show -> show in
+  Term.(const either $ asked_for)
 
-let cmd =
+let default = Command.run Term.(const render $ options default_show)
+
+let command term =
   let man =
     [
       `S Manpage.s_description;
@@ -192,6 +220,7 @@ let cmd =
          it is and how long the rest will take.";
     ]
   in
-  Cmd.v
-    (Command.info "render" ~doc:"render a scene to a picture file" man)
-    default
+  Cmd.v (Command.info "render" ~doc:"render a scene to a picture file" man) term
+
+let cmd = command (Command.run Term.(const render $ options asked_for))
+let default_cmd = command default

@@ -12,7 +12,9 @@ let infos =
   [
     info ok "on success.";
     info scene_error "if the scene is in error or cannot be read.";
-    info not_written "if a picture or other output could not be written.";
+    info not_written
+      "if a picture or other output could not be written, or not shown for \
+       want of a display.";
     info usage "if the command line is wrong.";
     info interrupted "if interrupted by Ctrl-C; nothing is written then.";
     info hung_up "if the terminal went away; nothing is written then.";

@@ -7,7 +7,7 @@ val scene_error : int
 (** 1: the scene is in error *)
 
 val not_written : int
-(** 2: a picture or other output could not be written *)
+(** 2: a picture or other output could not be written, or not shown *)
 
 val usage : int
 (** 124: the command line is wrong *)

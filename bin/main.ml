@@ -1,6 +1,7 @@
 open Cmdliner
 
-let commands = [ Cmd_render.cmd; Cmd_explain.cmd; Cmd_check.cmd; Cmd_repl.cmd ]
+let commands render =
+  [ render; Cmd_view.cmd; Cmd_explain.cmd; Cmd_check.cmd; Cmd_repl.cmd ]
 
 let man =
   [
@@ -9,29 +10,32 @@ let man =
       "$(mname) renders a scene, described by a short text file, by ray \
        tracing.";
     `P
-      "$(mname) $(i,SCENE), without the name of a command, renders $(i,SCENE) \
-       and saves the picture beside it, under its name with $(b,.bmp).";
+      "$(mname) $(i,SCENE), without the name of a command, renders $(i,SCENE), \
+       saves the picture beside it, under its name with $(b,.bmp), and shows \
+       it in a window if there is a display.";
   ]
 
-let program =
+let program render =
   Cmd.group ~default:Cmd_render.default
     (Cmd.info "raylab" ~version:Version.number
        ~doc:"a ray tracer that can explain itself" ~man ~exits:Exit_code.infos)
-    commands
+    (commands render)
 
 (* Cmdliner takes a first argument without dash for the name of a command. It is
    a scene if it looks like a file or is one. *)
 let is_scene argument =
   ((not (String.starts_with ~prefix:"-" argument)) || argument = "-")
-  && (not (List.exists (fun c -> Cmd.name c = argument) commands))
+  && (not
+        (List.exists (fun c -> Cmd.name c = argument) (commands Cmd_render.cmd)))
   && (Sys.file_exists argument
      || String.exists (fun c -> c = '.' || c = '/' || c = '-') argument)
 
-let argv =
+let program, argv =
   match Array.to_list Sys.argv with
-  | program :: first :: rest when is_scene first ->
-      Array.of_list (program :: Cmd.name Cmd_render.cmd :: first :: rest)
-  | _ -> Sys.argv
+  | name :: first :: rest when is_scene first ->
+      let render = Cmd_render.default_cmd in
+      (program render, Array.of_list (name :: Cmd.name render :: first :: rest))
+  | _ -> (program Cmd_render.cmd, Sys.argv)
 
 (* Ends at once, whatever the other domains are at, and leaves no file behind. *)
 let end_by_signal code _ =

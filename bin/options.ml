@@ -1,4 +1,5 @@
 open Cmdliner
+open Raylab_parallel
 open Raylab_scene
 
 let conv parse print ~docv =
@@ -58,3 +59,24 @@ let adjust { size; grey } scene =
   | None -> scene
   | Some (width, height) ->
       Scene.with_camera (Camera.with_size ~width ~height scene.camera) scene
+
+let number_of_domains =
+  let parse text =
+    match natural text with
+    | Some n when 1 <= n && n <= Parallel.max_domains -> Ok n
+    | _ ->
+        Error
+          (Printf.sprintf "'%s' is not a number of domains from 1 to %d" text
+             Parallel.max_domains)
+  in
+  conv parse ~docv:"DOMAINS" Format.pp_print_int
+
+let domains =
+  let doc =
+    "Render on $(docv) domains at once, by default one for each core. The \
+     picture is the same, byte for byte."
+  in
+  Arg.(
+    value
+    & opt (some number_of_domains) None
+    & info [ "j"; "domains" ] ~docv:"DOMAINS" ~doc)

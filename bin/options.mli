@@ -14,6 +14,11 @@ val view : view Term.t
 val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
 (** [adjust view scene] is [scene] as the options want it. *)
 
+(** {1 How it is computed} *)
+
+val domains : int option Term.t
+(** [domains] is option --domains. *)
+
 (** {1 Numbers} *)
 
 val conv :

@@ -1,7 +1,8 @@
 let default_domains = Domain.recommended_domain_count
 let max_domains = 128
+let never () = false
 
-let iter ~domains ?(on_progress = ignore) ~worker ~count work =
+let iter ~domains ?(stop = never) ?(on_progress = ignore) ~worker ~count work =
   if domains < 1 || domains > max_domains then
     invalid_arg (Printf.sprintf "%d domains" domains);
   let next = Atomic.make 0 and finished = Atomic.make 0 in
@@ -9,7 +10,7 @@ let iter ~domains ?(on_progress = ignore) ~worker ~count work =
     let w = worker () in
     let rec loop () =
       let k = Atomic.fetch_and_add next 1 in
-      if k < count then (
+      if k < count && not (stop ()) then (
         work w k;
         Atomic.incr finished;
         after_each ();

@@ -9,6 +9,7 @@ val max_domains : int
 
 val iter :
   domains:int ->
+  ?stop:(unit -> bool) ->
   ?on_progress:(int -> unit) ->
   worker:(unit -> 'w) ->
   count:int ->
@@ -22,6 +23,8 @@ val iter :
 
     After each piece of work of the calling domain, [on_progress n] is told how
     many pieces are done.
+
+    Once [stop ()], which every domain asks, is true, no further piece is taken.
 
     If [work], [worker] or [on_progress] raises, the other domains stop after
     the piece that they are at, and the exception is raised again.

@@ -60,4 +60,57 @@ let primary_ray camera ~x ~y =
   aim camera ~x ~y ray;
   Ray.of_raw ray
 
+(* {1 From space to the picture} *)
+
+(* Homogeneous coordinates on the canvas: the place (x / w, y / w). Points on a
+   line in space are on a line here, and a direction is the point where lines
+   along it vanish. *)
+type homogeneous = { x : float; y : float; w : float }
+
+let of_point { depth; _ } { Vec3.x; y; z } =
+  { x = x *. depth; y = y *. depth; w = z +. depth }
+
+let of_direction { depth; _ } (d : Direction.t) =
+  let { Vec3.x; y; z } = Vec3.scale depth (d :> Vec3.t) in
+  { x = x *. depth; y = y *. depth; w = z }
+
+(* what is closer to the plane of the eye than this is not shown *)
+let near camera = 1e-6 *. camera.depth
+
+let place camera { x; y; w } =
+  let across = x /. w /. camera.canvas_width
+  and up = y /. w /. camera.canvas_height in
+  ( (0.5 +. across) *. float_of_int camera.width,
+    (0.5 -. up) *. float_of_int camera.height )
+
+let is_finite (x, y) = Float.is_finite x && Float.is_finite y
+
+let project camera point =
+  let h = of_point camera point in
+  if h.w < near camera then None
+  else
+    let p = place camera h in
+    if is_finite p then Some p else None
+
+let between a b s =
+  let mix a b = ((1. -. s) *. a) +. (s *. b) in
+  { x = mix a.x b.x; y = mix a.y b.y; w = mix a.w b.w }
+
+let project_ray camera ray ~length =
+  let a = of_point camera (Ray.origin ray)
+  and b =
+    if length = infinity then of_direction camera (Ray.direction ray)
+    else of_point camera (Ray.at ray length)
+  and near = near camera in
+  let cut = between a b ((near -. a.w) /. (b.w -. a.w)) in
+  let segment a b =
+    let a = place camera a and b = place camera b in
+    if is_finite a && is_finite b then Some (a, b) else None
+  in
+  match (a.w >= near, b.w >= near) with
+  | true, true -> segment a b
+  | true, false -> segment a cut
+  | false, true -> segment cut b
+  | false, false -> None
+
 let equal (a : t) b = a = b

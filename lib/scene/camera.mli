@@ -53,5 +53,21 @@ val primary_ray : t -> x:int -> y:int -> Ray.t
 val aim : t -> x:int -> y:int -> Raw_ray.t -> unit
 (** [aim camera ~x ~y ray] makes [ray] the primary ray of pixel [(x, y)]. *)
 
+(** {1 From space to the picture}
+
+    Places in the picture are in pixels from the left and from the top; the
+    centre of pixel [(x, y)] is at [(x + 1/2, y + 1/2)]. They may be outside the
+    picture. *)
+
+val project : t -> Vec3.t -> (float * float) option
+(** [project camera p] is where the eye sees [p], the inverse of {!primary_ray}.
+    [None] if [p] is not before the eye. *)
+
+val project_ray :
+  t -> Ray.t -> length:float -> ((float * float) * (float * float)) option
+(** [project_ray camera ray ~length] is the line that the eye sees of the first
+    [length] of [ray], which may be [infinity]: from its first place to its
+    last. [None] if all of it is behind the eye. *)
+
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] have the same numbers. *)

@@ -6,37 +6,55 @@ type rows = { first : int; last : int }
 let camera scene = (Trace.scene scene).Scene.camera
 let all_rows scene = { first = 0; last = (camera scene).height - 1 }
 
-(* Neighbouring pixels meet the same objects, which a square tile keeps in the
-   cache. *)
-let tile_side = 16
-let tiles length = (length + tile_side - 1) / tile_side
-
-let fill_tile picture ~first_row evaluator number =
-  let width = Picture.width picture and height = Picture.height picture in
-  let left = number mod tiles width * tile_side
-  and top = number / tiles width * tile_side in
-  for y = top to Int.min height (top + tile_side) - 1 do
-    for x = left to Int.min width (left + tile_side) - 1 do
-      Picture.set picture ~x ~y
-        (Evaluator.pixel evaluator ~x ~y:(first_row + y))
-    done
-  done
-
-let picture ?(domains = Parallel.default_domains ()) ?rows
-    ?(on_progress = ignore) scene =
+let size ?rows scene =
   let all = all_rows scene in
   let { first; last } = Option.value rows ~default:all in
   if first < 0 || last < first || last > all.last then
     invalid_arg (Printf.sprintf "rows %d to %d of a picture" first last);
-  let picture =
-    Picture.create ~width:(camera scene).width ~height:(last - first + 1)
+  ((camera scene).width, last - first + 1)
+
+let blank ?rows scene =
+  let width, height = size ?rows scene in
+  Picture.create ~width ~height
+
+(* Fills [picture], which shows [rows], pass by pass and tile by tile. *)
+let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
+  let first_row = match rows with None -> 0 | Some { first; _ } -> first in
+  let width = Picture.width picture and height = Picture.height picture in
+  let tiles = Tile.count ~width ~height in
+  let stopped = Option.value stop ~default:(fun () -> false) in
+  let work evaluator k =
+    let pass = passes.(k / tiles)
+    and tile = Tile.nth ~width ~height (k mod tiles) in
+    Pass.iter pass tile (fun ~x ~y ->
+        if not (stopped ()) then
+          Picture.set picture ~x ~y
+            (Evaluator.pixel evaluator ~x ~y:(first_row + y)));
+    if not (stopped ()) then on_tile pass tile
   in
-  let count = tiles (Picture.width picture) * tiles (Picture.height picture) in
-  let evaluators =
-    Parallel.iter ~domains ~count
-      ~worker:(fun () -> Trace.evaluator scene)
+  Parallel.iter ~domains ?stop ?on_progress
+    ~count:(Array.length passes * tiles)
+    ~worker:(fun () -> Trace.evaluator scene)
+    work
+  |> List.map Evaluator.tally |> Tally.sum
+
+let picture ?(domains = Parallel.default_domains ()) ?rows
+    ?(on_progress = ignore) scene =
+  let picture = blank ?rows scene in
+  let count =
+    Tile.count ~width:(Picture.width picture) ~height:(Picture.height picture)
+  in
+  let tally =
+    fill ~domains ?rows picture scene
       ~on_progress:(fun n -> on_progress (float_of_int n /. float_of_int count))
-      (fill_tile picture ~first_row:first)
+      ~passes:[| Pass.whole |]
+      ~on_tile:(fun _ _ -> ())
   in
   on_progress 1.;
-  (picture, Tally.sum (List.map Evaluator.tally evaluators))
+  (picture, tally)
+
+let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile picture
+    scene =
+  if size ?rows scene <> (Picture.width picture, Picture.height picture) then
+    invalid_arg "a picture of another size";
+  fill ~domains ?rows ?stop picture scene ~passes:Pass.coarse_to_fine ~on_tile

@@ -23,3 +23,29 @@ val picture :
     @raise Invalid_argument
       if [rows] are not rows of the picture, or [domains] is not between 1 and
       {!Raylab_parallel.Parallel.max_domains}. *)
+
+(** {1 Pictures that are watched} *)
+
+val blank : ?rows:rows -> Trace.t -> Picture.t
+(** [blank scene] is a black picture of the size that {!picture} would have.
+
+    @raise Invalid_argument if [rows] are not rows of the picture. *)
+
+val refine :
+  ?domains:int ->
+  ?rows:rows ->
+  ?stop:(unit -> bool) ->
+  on_tile:(Pass.t -> Tile.t -> unit) ->
+  Picture.t ->
+  Trace.t ->
+  Tally.t
+(** [refine ~on_tile picture scene] fills [picture], a {!blank} one, with the
+    pixels of {!val-picture}, coarse first; see {!Pass}. When the pixels of a
+    tile in a pass are there, [on_tile] is told so by the domain that computed
+    them. Passes of a tile may be done in another order than they were begun.
+
+    Soon after [stop ()], which every domain asks for every pixel, is true,
+    [refine] ends, with part of the picture.
+
+    @raise Invalid_argument
+      if [picture] has another size, and where {!val-picture} does. *)

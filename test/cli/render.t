@@ -13,10 +13,12 @@ Without a command the picture goes beside the scene, wherever that is.
 
   $ raylab floor.scene
   raylab: wrote floor.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ mkdir deep
   $ cp floor.scene deep/no-extension
   $ raylab deep/no-extension
   raylab: wrote deep/no-extension.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ cmp floor.bmp deep/no-extension.bmp
 
 So it does with the command, and with options before and after the scene.
@@ -27,8 +29,10 @@ So it does with the command, and with options before and after the scene.
   $ cmp floor.bmp deep/no-extension.bmp
   $ raylab -j 1 floor.scene -o a.bmp
   raylab: wrote a.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ raylab floor.scene -j 1 -o b.bmp
   raylab: wrote b.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ cmp a.bmp b.bmp
   $ ls -A
   a.bmp
@@ -48,6 +52,7 @@ A scene that is called as a command is needs a path.
   $ cp floor.scene check
   $ raylab ./check
   raylab: wrote ./check.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
 
 The formats
 -----------
@@ -119,6 +124,7 @@ is left beside it.
   $ chmod 640 floor.bmp
   $ raylab floor.scene
   raylab: wrote floor.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ cmp floor.bmp ../floor.bmp
   $ stat -c %a floor.bmp
   640
@@ -130,6 +136,7 @@ A new one gets those that any program's file gets.
 
   $ (umask 027; raylab floor.scene -o new.bmp)
   raylab: wrote new.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ stat -c %a new.bmp
   640
 
@@ -139,6 +146,7 @@ A link is followed.
   $ ln -s target link.bmp
   $ raylab floor.scene -o link.bmp
   raylab: wrote link.bmp
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ readlink link.bmp
   target
   $ cmp target ../floor.bmp
@@ -149,5 +157,6 @@ What is not a file, such as a pipe, is written to.
   $ cat pipe.ppm > copy.ppm &
   $ raylab floor.scene -o pipe.ppm
   raylab: wrote pipe.ppm
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ wait
   $ cmp copy.ppm ../floor.ppm

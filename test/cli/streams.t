@@ -30,6 +30,7 @@ called, so there must be one.
   $ cmp sky.bmp in.bmp
   $ raylab - -o in.ppm < sky.scene
   raylab: wrote in.ppm
+  raylab: no display was found: DISPLAY is not set. The picture is not shown
   $ cat sky.scene | raylab render - -o - | cmp - sky.bmp
   $ raylab render - < sky.scene
   raylab: a scene from standard input has no name to call its picture after: say where it goes with -o

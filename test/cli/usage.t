@@ -25,7 +25,7 @@ Commands: none, unknown, misspelt, too many scenes.
   raylab: unknown command 'chek', did you mean 'check'?
   [124]
   $ usage no_such_command_or_file
-  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'render' or 'repl'.
+  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'render', 'repl' or 'view'.
   [124]
   $ usage render
   raylab: required argument SCENE is missing
@@ -188,8 +188,9 @@ Help and version go to standard output. A version is no place-holder.
          raylab renders a scene, described by a short text file, by ray
          tracing.
   
-         raylab SCENE, without the name of a command, renders SCENE and saves
-         the picture beside it, under its name with .bmp.
+         raylab SCENE, without the name of a command, renders SCENE, saves the
+         picture beside it, under its name with .bmp, and shows it in a window
+         if there is a display.
   
   COMMANDS
          check [OPTION]… SCENE…
@@ -203,6 +204,9 @@ Help and version go to standard output. A version is no place-holder.
   
          repl [OPTION]… [SCENE] [SCRIPT]
              explore a scene at OCaml's prompt
+  
+         view [OPTION]… SCENE
+             show a scene in a window
   
   ARGUMENTS
          SCENE (required)
@@ -231,6 +235,10 @@ Help and version go to standard output. A version is no place-holder.
              Render only rows A-B, both included, counted from 0 at the top.
              The picture holds just these rows.
   
+         --show
+             Then show the picture in a window, as raylab view does. Without a
+             display it is written all the same, and this is no failure.
+  
          --size=WxH
              Make the picture WxH pixels large, whatever the scene says. It
              shows the same canvas, stretched if its proportions differ.
@@ -255,7 +263,8 @@ Help and version go to standard output. A version is no place-holder.
   
          1   if the scene is in error or cannot be read.
   
-         2   if a picture or other output could not be written.
+         2   if a picture or other output could not be written, or not shown
+             for want of a display.
   
          124 if the command line is wrong.
   
@@ -308,6 +317,10 @@ Help and version go to standard output. A version is no place-holder.
              Render only rows A-B, both included, counted from 0 at the top.
              The picture holds just these rows.
   
+         --show
+             Then show the picture in a window, as raylab view does. Without a
+             display it is written all the same, and this is no failure.
+  
          --size=WxH
              Make the picture WxH pixels large, whatever the scene says. It
              shows the same canvas, stretched if its proportions differ.
@@ -332,7 +345,8 @@ Help and version go to standard output. A version is no place-holder.
   
          1   if the scene is in error or cannot be read.
   
-         2   if a picture or other output could not be written.
+         2   if a picture or other output could not be written, or not shown
+             for want of a display.
   
          124 if the command line is wrong.
   
@@ -378,7 +392,8 @@ Help and version go to standard output. A version is no place-holder.
   
          1   if the scene is in error or cannot be read.
   
-         2   if a picture or other output could not be written.
+         2   if a picture or other output could not be written, or not shown
+             for want of a display.
   
          124 if the command line is wrong.
   

@@ -1,0 +1,67 @@
+open Cmdliner
+open Raylab_window
+
+type options = {
+  scene : string;
+  view : Options.view;
+  domains : int option;
+  watch : bool;
+}
+
+let first { scene; view; watch; _ } =
+  match Window.load scene view () with
+  | Ok scene -> View.Scene scene
+  | Error message when watch -> Error message
+  | Error message ->
+      Window.tell message;
+      raise (Command.Ended Exit_code.scene_error)
+
+let view options () =
+  let path = options.scene in
+  if options.watch && path = "-" then
+    Command.usage_error "option --watch: standard input cannot be watched";
+  (* before the scene is read, so that no change is missed *)
+  let watch = if options.watch then Some (Watch.start path) else None in
+  let first = first options in
+  let load () =
+    match first with
+    | Scene scene when path = "-" -> Ok scene
+    | _ -> Window.load path options.view ()
+  in
+  match
+    View.run ~on_loss:Window.on_loss ?domains:options.domains ?watch
+      ~terminal:(Window.terminal stdout) (Window.source path ~load) first
+  with
+  | Ok () -> ()
+  | Error message -> Command.write_error message
+
+let options =
+  let watch =
+    let doc =
+      "Render again whenever the scene file changes. If it is in error, the \
+       window says so and waits for the next change."
+    in
+    Arg.(value & flag & info [ "w"; "watch" ] ~doc)
+  in
+  let make scene view domains watch = { scene; view; domains; watch } in
+  Term.(const make $ Command.scene_arg $ Options.view $ Options.domains $ watch)
+
+let cmd =
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Opens a window that shows the picture of $(i,SCENE) while it is \
+         rendered, coarse at first. A picture that is larger than the screen \
+         is scaled down.";
+      `P
+        "A click explains a pixel, on standard output as $(b,raylab explain) \
+         does, and draws the path of its rays over the picture. These keys do \
+         something while the window has the focus:";
+      `Pre Key.help;
+      `P "Without a display it says so, and the exit status is 2.";
+    ]
+  in
+  Cmd.v
+    (Command.info "view" ~doc:"show a scene in a window" man)
+    (Command.run Term.(const view $ options))

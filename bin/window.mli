@@ -1,0 +1,23 @@
+(** What the sub-commands that open a window share. *)
+
+open Raylab_scene
+open Raylab_window
+
+val terminal : out_channel -> Session.terminal
+(** [terminal channel] writes what was asked for to [channel] and messages to
+    standard error. *)
+
+val tell : string -> unit
+(** [tell text] prints lines on standard error. *)
+
+val load : string -> Options.view -> unit -> (Scene.t, string) result
+(** [load path view ()] is the scene at [path] as [view] wants it, or the text
+    of all that is wrong with it. *)
+
+val source : string -> load:(unit -> (Scene.t, string) result) -> Session.source
+(** [source path ~load] loads the scene by [load], and saves the picture beside
+    [path] as BMP. *)
+
+val on_loss : unit -> 'a
+(** [on_loss ()] ends the program at once, successfully: the user has closed the
+    window. *)

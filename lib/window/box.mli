@@ -1,0 +1,17 @@
+(** Boxes: rectangles of pixels, of a picture or of a window. *)
+
+type t = { left : int; top : int; width : int; height : int }
+(** The type for boxes, from the left and from the top. A box may be empty. *)
+
+val is_empty : t -> bool
+(** [is_empty box] is whether [box] has no pixel. *)
+
+val contains : t -> int * int -> bool
+(** [contains box (x, y)] is whether pixel [(x, y)] is in [box]. *)
+
+val inter : t -> t -> t
+(** [inter a b] is what [a] and [b] share. *)
+
+val union : t -> t -> t
+(** [union a b] is the smallest box around [a] and [b]; an empty one counts for
+    nothing. *)

@@ -1,0 +1,32 @@
+(** A picture that becomes finer, and what is known of it.
+
+    Domains fill the picture itself; this is the notes of the one domain that
+    shows it. *)
+
+open Raylab_tracer
+
+type t
+(** The type for pictures on the way. *)
+
+val start : Picture.t -> t
+(** [start picture] is [picture] with nothing known of it. *)
+
+val complete : Picture.t -> t
+(** [complete picture] is [picture] with every pixel known. *)
+
+val picture : t -> Picture.t
+(** [picture r] is the picture itself. *)
+
+val size : t -> int * int
+(** [size r] is its width and height. *)
+
+val note : t -> Pass.t -> Tile.t -> unit
+(** [note r pass tile] notes that [pass] of [tile] is done. *)
+
+val part : t -> float
+(** [part r] is which part of the pixels is known, from 0 to 1. *)
+
+val color : t -> x:int -> y:int -> int option
+(** [color r ~x ~y] is the colour of the block around pixel [(x, y)], as
+    [0xRRGGBB]: that of its upper left pixel, which is known. Blocks are as
+    small as the passes done allow. [None] if nothing is known there. *)

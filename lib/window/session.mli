@@ -1,0 +1,59 @@
+(** What goes on in a window: what it shows, and what keys and clicks do. *)
+
+open Raylab_scene
+open Raylab_tracer
+
+type terminal = {
+  print : string -> unit;  (** shows lines that were asked for *)
+  tell : string -> unit;  (** shows a message *)
+  explain : int * int -> Explain.t -> unit;  (** shows why a pixel is so *)
+}
+(** The type for what is beside the window. *)
+
+type source = {
+  name : string;  (** what the title calls the scene *)
+  load : unit -> (Scene.t, string) result;
+      (** reads the scene, on another domain; or says, in lines, why not *)
+  save : Picture.t -> string;
+      (** saves the picture, and says where, or why it could not *)
+}
+(** The type for where scenes come from and pictures go. *)
+
+type t
+(** The type for sessions. *)
+
+val make :
+  domains:int ->
+  ?rows:Render.rows ->
+  terminal:terminal ->
+  screen:(int * int) option ->
+  picture:int * int ->
+  source ->
+  Canvas.t ->
+  t
+(** [make source canvas] is a session that shows nothing yet, with a window laid
+    out for a [picture] of this size. *)
+
+val show_whole : t -> Trace.t -> Picture.t -> first_row:int -> float -> unit
+(** [show_whole session scene picture ~first_row seconds] shows a picture that
+    is whole already, and took so many seconds. *)
+
+val render : t -> unit
+(** [render session] starts to read and render the scene. A rendering under way
+    is stopped first. *)
+
+val key : t -> Key.t -> [ `Go_on | `Close ]
+(** [key session key] does what [key] is for. *)
+
+val click : t -> int * int -> unit
+(** [click session place] explains the pixel at this place of the window. *)
+
+val step : t -> unit
+(** [step session] takes note of what was rendered and of the size of the
+    window, and draws what has changed. *)
+
+val is_rendering : t -> bool
+(** [is_rendering session] is whether a rendering is under way. *)
+
+val finish : t -> unit
+(** [finish session] stops what is under way and waits for its end. *)

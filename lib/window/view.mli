@@ -1,0 +1,36 @@
+(** The window: a picture that fills while it is rendered, and answers. *)
+
+open Raylab_scene
+open Raylab_tracer
+
+(** The type for what there is to show at first. *)
+type first =
+  | Scene of Scene.t  (** it is rendered *)
+  | Error of string  (** what is wrong with it is shown *)
+  | Rendered of { scene : Trace.t; picture : Picture.t; seconds : float }
+
+val run :
+  ?domains:int ->
+  ?rows:Render.rows ->
+  ?watch:Watch.t ->
+  ?on_loss:(unit -> unit) ->
+  terminal:Session.terminal ->
+  Session.source ->
+  first ->
+  (unit, string) result
+(** [run ~terminal source first] opens a window and serves it until it is closed
+    in any way, or goes away. No domain is left running then. It says in a line
+    why there is no window if none can be opened.
+
+    The window shows [first], of which [rows] are shown; see {!Render}. Keys and
+    clicks do what {!Key.help} says. When [watch] tells of a change, the scene
+    is read and rendered again, and a rendering under way is stopped.
+
+    [on_loss] is called at once if the window is not closed from here, but is
+    taken away, as most window managers do, or its display is. The X library may
+    then hold a lock that a collection of garbage would wait for, if that
+    happened in the middle of drawing: a program that has nothing else to do
+    should end there, without further ado.
+
+    Only the main domain may call this, and only one window can be open. If the
+    display went away no other can be opened by this process. *)

@@ -1,0 +1,18 @@
+open Raylab_window
+
+let test_keys () =
+  let keys =
+    List.filter (fun c -> Key.of_char c <> None) (List.init 256 Char.chr)
+  in
+  Alcotest.(check (list char))
+    "these and no others"
+    [ '\027'; 'c'; 'e'; 'h'; 'q'; 'r'; 's' ]
+    keys;
+  let is_listed c =
+    List.exists (fun line -> line.[0] = c) (String.split_on_char '\n' Key.help)
+  in
+  Alcotest.(check bool)
+    "listed" true
+    (List.for_all is_listed [ 'c'; 'e'; 'h'; 'q'; 'r'; 's' ])
+
+let suite = ("Key", [ Alcotest.test_case "keys" `Quick test_keys ])

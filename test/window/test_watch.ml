@@ -1,0 +1,29 @@
+open Raylab_window
+
+(* what each of these sights of a file, at these times, is: a change or not *)
+let run sights =
+  let _, changes =
+    List.fold_left
+      (fun (state, changes) (now, stamp) ->
+        let state, changed = Watch.step ~now stamp state in
+        (state, changed :: changes))
+      (Watch.initial (Some "a"), [])
+      sights
+  in
+  List.rev changes
+
+let check name expected sights =
+  Alcotest.(check (list bool)) name expected (run sights)
+
+let test_steps () =
+  check "the same" [ false; false ] [ (0., Some "a"); (1., Some "a") ];
+  check "another, once" [ true; false ] [ (0., Some "b"); (1., Some "b") ];
+  check "back again" [ true; true ] [ (0., Some "b"); (1., Some "a") ];
+  check "away for a moment" [ false; false; false ]
+    [ (0., None); (0.5, None); (0.6, Some "a") ];
+  check "away and replaced" [ false; true ] [ (0., None); (0.1, Some "b") ];
+  check "away for long, once, and back"
+    [ false; true; false; true ]
+    [ (0., None); (1.5, None); (3., None); (4., Some "a") ]
+
+let suite = ("Watch", [ Alcotest.test_case "changes" `Quick test_steps ])

@@ -1,0 +1,13 @@
+let () =
+  Alcotest.run "raylab.window"
+    [
+      Test_layout.suite;
+      Test_refinement.suite;
+      Test_raster.suite;
+      Test_segment.suite;
+      Test_path.suite;
+      Test_text.suite;
+      Test_watch.suite;
+      Test_screen.suite;
+      Test_key.suite;
+    ]
