@@ -26,23 +26,16 @@ type target = Standard_output | File of string
 let target { scene; out; _ } =
   match out with
   | Some "-" -> Standard_output
-  | Some "" -> Command.usage_error "option -o: the name of the file is empty"
   | Some path -> File path
   | None when scene = "-" ->
       Command.usage_error
         "a scene from standard input has no name to call its picture after: \
          say where it goes with -o"
-  | None -> File (Filename.remove_extension scene ^ ".bmp")
+  | None -> File (Output.beside scene)
 
-let check_target options target =
-  match target with
+let format options = function
   | Standard_output -> Picture_file.Bmp
-  | File path -> (
-      if Command.is_same_file path options.scene then
-        Command.usage_error "%s is the scene; the picture would replace it" path;
-      match Picture_file.format_of_path path with
-      | Ok format -> format
-      | Error message -> Command.usage_error "%s" message)
+  | File path -> Output.format ~scene:options.scene path
 
 let write format target picture =
   let written =
@@ -118,7 +111,7 @@ let show options target scene picture ~seconds =
 
 let render options () =
   let target = target options in
-  let format = check_target options target in
+  let format = format options target in
   let scene = Options.adjust options.view (Command.load_scene options.scene) in
   check_rows options scene.camera;
   check_size format options scene.camera;

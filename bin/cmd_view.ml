@@ -1,9 +1,11 @@
 open Cmdliner
+open Raylab_picture
 open Raylab_window
 
 type options = {
   scene : string;
   view : Options.view;
+  out : string option;
   domains : int option;
   watch : bool;
 }
@@ -20,6 +22,12 @@ let view options () =
   let path = options.scene in
   if options.watch && path = "-" then
     Command.usage_error "option --watch: standard input cannot be watched";
+  let check_out out =
+    if out = "-" then
+      Command.usage_error "option -o: explanations go to standard output";
+    ignore (Output.format ~scene:path out : Picture_file.format)
+  in
+  Option.iter check_out options.out;
   (* before the scene is read, so that no change is missed *)
   let watch = if options.watch then Some (Watch.start path) else None in
   let first = first options in
@@ -30,21 +38,35 @@ let view options () =
   in
   match
     View.run ~on_loss:Window.on_loss ?domains:options.domains ?watch
-      ~terminal:(Window.terminal stdout) (Window.source path ~load) first
+      ~terminal:(Window.terminal stdout)
+      (Window.source ?out:options.out path ~load)
+      first
   with
   | Ok () -> ()
   | Error message -> Command.write_error message
 
 let options =
-  let watch =
+  let out =
+    let doc =
+      "Where the key s saves the picture; the extension of $(docv) says in \
+       which format, as for $(b,raylab render). By default it goes beside the \
+       scene, under its name with $(b,.bmp)."
+    in
+    Arg.(
+      value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+  and watch =
     let doc =
       "Render again whenever the scene file changes. If it is in error, the \
        window says so and waits for the next change."
     in
     Arg.(value & flag & info [ "w"; "watch" ] ~doc)
   in
-  let make scene view domains watch = { scene; view; domains; watch } in
-  Term.(const make $ Command.scene_arg $ Options.view $ Options.domains $ watch)
+  let make scene view out domains watch =
+    { scene; view; out; domains; watch }
+  in
+  Term.(
+    const make $ Command.scene_arg $ Options.view $ out $ Options.domains
+    $ watch)
 
 let cmd =
   let man =

@@ -3,7 +3,7 @@
 open Raylab_scene
 open Raylab_window
 
-val terminal : out_channel -> Session.terminal
+val terminal : out_channel -> Terminal.t
 (** [terminal channel] writes what was asked for to [channel] and messages to
     standard error. *)
 
@@ -14,9 +14,13 @@ val load : string -> Options.view -> unit -> (Scene.t, string) result
 (** [load path view ()] is the scene at [path] as [view] wants it, or the text
     of all that is wrong with it. *)
 
-val source : string -> load:(unit -> (Scene.t, string) result) -> Session.source
-(** [source path ~load] loads the scene by [load], and saves the picture beside
-    [path] as BMP. *)
+val source :
+  ?out:string ->
+  string ->
+  load:(unit -> (Scene.t, string) result) ->
+  Session.source
+(** [source ~out path ~load] loads the scene by [load], and saves the picture to
+    [out], by default beside [path] as BMP. *)
 
 val on_loss : unit -> 'a
 (** [on_loss ()] ends the program at once, successfully: the user has closed the

@@ -18,6 +18,7 @@ let words =
     ("next ()", "the next step");
     ("back ()", "the step before");
     ("render ()", "the picture of the scene");
+    ("show ()", "the picture in a window, where a click explains a pixel");
     ("save \"FILE\"", "writes it as .bmp, .png or .ppm");
   ]
 
@@ -92,6 +93,7 @@ let back () = go Walk.back "there is no step before; next () goes on"
 (* {1 The picture} *)
 
 let render () = Fast.picture (scene ())
+let show () = Fast.show ?file:(Session.file ()) (scene ())
 
 let save path =
   let written =

@@ -66,6 +66,11 @@ val back : unit -> Event.t
 val render : unit -> Picture.t
 (** [render ()] is the picture of the current scene. *)
 
+val show : unit -> unit
+(** [show ()] shows the current scene in a window, as [raylab view] does, until
+    that is closed. Its key s saves the picture beside the file that the scene
+    was loaded from, or else as [scene.bmp]. *)
+
 val save : string -> unit
 (** [save file] renders the current scene and writes the picture to [file], as
     BMP, PNG or PPM by its extension: the very file that [raylab render] writes.

@@ -2,6 +2,7 @@ open Raylab_scene
 open Raylab_language
 open Raylab_tracer
 open Raylab_picture
+open Raylab_window
 
 let variable = "RAYLAB_PROGRAM"
 
@@ -40,17 +41,18 @@ let read_picture channel =
 
 (* {1 Running the program} *)
 
-let with_scene_file scene f =
-  let path = Filename.temp_file "raylab" ".scene" in
+let with_scene_file ?(name = "scene") scene f =
+  let directory = Filename.temp_dir "raylab" "" in
+  let path = Filename.concat directory name in
   let write channel =
     let ppf = Format.formatter_of_out_channel channel in
     Format.fprintf ppf "%a@?" Scene_file.print scene
   in
   Fun.protect
-    ~finally:(fun () -> Sys.remove path)
+    ~finally:(fun () -> Sys.rmdir directory)
     (fun () ->
       Out_channel.with_open_bin path write;
-      f path)
+      Fun.protect ~finally:(fun () -> Sys.remove path) (fun () -> f path))
 
 (* Ctrl-C goes to the program as well, which then ends by itself. *)
 let end_of pid =
@@ -60,6 +62,11 @@ let end_of pid =
     | exception Unix.Unix_error (EINTR, _, _) -> wait ()
   in
   wait ()
+
+let failed program : Unix.process_status -> _ = function
+  | WEXITED 130 -> raise Sys.Break
+  | WEXITED code | WSIGNALED code | WSTOPPED code ->
+      failwith (Printf.sprintf "%s ended with status %d" program code)
 
 let render_with program path =
   let output, input = Unix.pipe ~cloexec:true () in
@@ -80,15 +87,50 @@ let render_with program path =
   match (picture, end_of pid) with
   | Ok picture, WEXITED 0 -> picture
   | Error (Some exn), _ -> raise exn
-  | _, WEXITED 130 -> raise Sys.Break
-  | _, (WEXITED code | WSIGNALED code | WSTOPPED code) ->
-      failwith (Printf.sprintf "%s ended with status %d" program code)
+  | _, status -> failed program status
 
-let picture (scene : Scene.t) =
+let check_size (scene : Scene.t) =
   let { Camera.width; height; _ } = scene.camera in
   Result.iter_error
     (fun message -> raise (Sys_error message))
-    (Picture_file.check_size Bmp ~width ~height);
+    (Picture_file.check_size Bmp ~width ~height)
+
+let picture scene =
+  check_size scene;
   match program () with
   | Some program -> with_scene_file scene (render_with program)
   | None -> fst (Render.picture (Trace.prepare scene))
+
+(* {1 The window} *)
+
+let no_display = 2
+
+let show_with program ~out path =
+  let pid =
+    Unix.create_process program
+      [| program; "view"; path; "--output=" ^ out |]
+      Unix.stdin Unix.stdout Unix.stderr
+  in
+  match end_of pid with
+  | WEXITED 0 -> ()
+  | WEXITED code when code = no_display -> () (* it has said so *)
+  | status -> failed program status
+
+let show_here ~name ~out scene =
+  let save picture =
+    match Picture_file.save Bmp ~path:out picture with
+    | Ok () -> "wrote " ^ out
+    | Error message -> message
+  in
+  let source = { Session.name; load = (fun () -> Ok scene); save } in
+  let terminal = Terminal.make stdout ~tell:prerr_endline in
+  Result.iter_error prerr_endline (View.run ~terminal source (Scene scene))
+
+let show ?(file = "scene") scene =
+  check_size scene;
+  Format.print_flush ();
+  let name = Filename.basename file
+  and out = Filename.remove_extension file ^ ".bmp" in
+  match program () with
+  | Some program -> with_scene_file ~name scene (show_with program ~out)
+  | None -> show_here ~name ~out scene

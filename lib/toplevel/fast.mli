@@ -1,4 +1,4 @@
-(** Rendering by the native program.
+(** Whole pictures, by the native program.
 
     A prompt runs bytecode, which renders some 17 times slower than native code.
     So whole pictures are left to the [raylab] that started the prompt: it gets
@@ -18,4 +18,13 @@ val picture : Scene.t -> Picture.t
 
     @raise Sys_error if the picture would not fit into memory.
     @raise Failure if the program ends without a picture.
+    @raise Sys.Break if it is interrupted. *)
+
+val show : ?file:string -> Scene.t -> unit
+(** [show ~file scene] shows [scene], which came from [file], in a window of the
+    native program, or of this one if there is none, until the window is closed.
+    If there is no display that is told on standard error.
+
+    @raise Sys_error if the picture would not fit into memory.
+    @raise Failure if the program fails.
     @raise Sys.Break if it is interrupted. *)

@@ -2,17 +2,26 @@ open Raylab_scene
 open Raylab_language
 open Raylab_tracer
 
-type t = { scene : Scene.t; trace : Trace.t Lazy.t; walk : Walk.t option }
+type t = {
+  scene : Scene.t;
+  file : string option;
+  trace : Trace.t Lazy.t;
+  walk : Walk.t option;
+}
 
-let about scene = { scene; trace = lazy (Trace.prepare scene); walk = None }
+let about ?file scene =
+  { scene; file; trace = lazy (Trace.prepare scene); walk = None }
+
 let current = ref (about Build.empty)
 let scene () = !current.scene
+let file () = !current.file
 let trace () = Lazy.force !current.trace
 let use scene = current := about scene
 
 let load path =
   let loaded = Scene_file.load path in
-  Result.iter use loaded;
+  let file = if path = "-" then None else Some path in
+  Result.iter (fun scene -> current := about ?file scene) loaded;
   loaded
 
 let walk () = !current.walk

@@ -10,6 +10,9 @@ open Raylab_tracer
 val scene : unit -> Scene.t
 (** [scene ()] is the current scene, at first {!Build.empty}. *)
 
+val file : unit -> string option
+(** [file ()] is the file that the current scene was loaded from, if it was. *)
+
 val trace : unit -> Trace.t
 (** [trace ()] is the current scene made ready for tracing. *)
 

@@ -1,12 +1,6 @@
 open Raylab_scene
 open Raylab_tracer
 
-type terminal = {
-  print : string -> unit;
-  tell : string -> unit;
-  explain : int * int -> Explain.t -> unit;
-}
-
 type source = {
   name : string;
   load : unit -> (Scene.t, string) result;
@@ -17,7 +11,7 @@ type path = { pixel : int * int; overlay : Path_overlay.t; visible : bool }
 
 type t = {
   source : source;
-  terminal : terminal;
+  terminal : Terminal.t;
   domains : int;
   rows : Render.rows option;
   screen : (int * int) option;

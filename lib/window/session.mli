@@ -3,13 +3,6 @@
 open Raylab_scene
 open Raylab_tracer
 
-type terminal = {
-  print : string -> unit;  (** shows lines that were asked for *)
-  tell : string -> unit;  (** shows a message *)
-  explain : int * int -> Explain.t -> unit;  (** shows why a pixel is so *)
-}
-(** The type for what is beside the window. *)
-
 type source = {
   name : string;  (** what the title calls the scene *)
   load : unit -> (Scene.t, string) result;
@@ -25,7 +18,7 @@ type t
 val make :
   domains:int ->
   ?rows:Render.rows ->
-  terminal:terminal ->
+  terminal:Terminal.t ->
   screen:(int * int) option ->
   picture:int * int ->
   source ->

@@ -14,7 +14,7 @@ val run :
   ?rows:Render.rows ->
   ?watch:Watch.t ->
   ?on_loss:(unit -> unit) ->
-  terminal:Session.terminal ->
+  terminal:Terminal.t ->
   Session.source ->
   first ->
   (unit, string) result

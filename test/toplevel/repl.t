@@ -132,6 +132,7 @@ Words
   next ()       the next step
   back ()       the step before
   render ()     the picture of the scene
+  show ()       the picture in a window, where a click explains a pixel
   save "FILE"   writes it as .bmp, .png or .ppm
   
   Scenes are built with vec, rgb, red ... white, directional, spherical, sphere,

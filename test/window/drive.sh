@@ -12,12 +12,18 @@ pid= server=
 trap 'kill $pid $server 2>/dev/null' EXIT
 trap 'exit 1' HUP INT TERM
 
-# [until_ok COMMAND...] repeats COMMAND until it succeeds, for half a minute.
+# [until_ok COMMAND...] repeats COMMAND until it succeeds, for half a minute. Once
+# that was in vain there is no use in waiting again.
 until_ok() {
   local tries=0
   until "$@"; do
     tries=$((tries + 1))
-    [ $tries -lt 600 ] || { echo "waited in vain for: $*"; cat err; return 1; }
+    if [ $tries = 600 ] || [ -e vain ]; then
+      echo "waited in vain for: $*"
+      touch vain
+      cat err
+      return 1
+    fi
     sleep 0.05
   done
 }
@@ -42,7 +48,8 @@ has_window() {
 start() {
   local name=$1
   shift
-  raylab "$@" >out 2>err </dev/null &
+  # the shell would make standard input /dev/null
+  { raylab "$@" >out 2>err <&5 & } 5<&0
   pid=$!
   until_ok has_window "^$name"
 }

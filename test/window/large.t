@@ -7,7 +7,7 @@ A picture that is larger than the screen.
   > bcolor 0.2 0.3 0.5
   > sphere 0 0 3 1  luminous red
   > EOF
-  $ start large.scene view large.scene
+  $ start 'standard input' view - -o saved.png < large.scene
   $ whole
   $ size
   360x180
@@ -26,6 +26,13 @@ name the right one of these.
   $ until_ok said 'pixel (998, 498)'
   $ click 0 0
   $ until_ok said 'pixel (1, 1)'
+
+It is saved in full.
+
+  $ press s
+  $ until_ok told wrote
   $ press q
   $ ended
   $ cat err
+  raylab: wrote saved.png
+  $ raylab render large.scene -q -o large.png && cmp saved.png large.png

@@ -63,6 +63,15 @@ h lists the keys, s saves, and other keys do nothing.
   $ cat err
   raylab: wrote mirror.bmp
   $ raylab render mirror.scene -q -o again.bmp && cmp mirror.bmp again.bmp
+  $ raylab view mirror.scene -o mirror.scene
+  raylab: mirror.scene is the scene; the picture would replace it
+  [124]
+  $ raylab view mirror.scene -o -
+  raylab: option -o: explanations go to standard output
+  [124]
+  $ raylab view mirror.scene -o mirror.gif
+  raylab: mirror.gif: there is no picture format '.gif'; use .bmp, .png or .ppm
+  [124]
 
 r renders the file again.
 
