@@ -37,9 +37,14 @@ let program, argv =
       (program render, Array.of_list (name :: Cmd.name render :: first :: rest))
   | _ -> (program Cmd_render.cmd, Sys.argv)
 
-(* Ends at once, whatever the other domains are at, and leaves no file behind. *)
+let remove_temporary_files () =
+  let remove path = try Sys.remove path with Sys_error _ -> () in
+  List.iter remove (Raylab_picture.Atomic_file.temporary ())
+
+(* Ends at once, whatever the other domains are at, and leaves no file behind.
+   The handler of another signal may raise in here: a window's tick does. *)
 let end_by_signal code _ =
-  List.iter Sys.remove (Raylab_picture.Atomic_file.temporary ());
+  (try remove_temporary_files () with _ -> ());
   Unix._exit code
 
 let () =

@@ -83,7 +83,7 @@ told() { grep -q -- "$1" err; }
 # [ended] waits for raylab's end and prints its exit code, if it is not 0.
 is_over() { ! kill -0 "$pid" 2>/dev/null; }
 ended() {
-  until_ok is_over
+  until_ok is_over || kill -9 "$pid"
   wait "$pid"
   local code=$?
   [ $code = 0 ] || echo "[$code]"

@@ -153,6 +153,14 @@ Ctrl-C:
   $ kill -INT $pid
   $ ended
   [130]
+
+also when the window's timer goes off at the same moment:
+
+  $ start mirror.scene view mirror.scene
+  $ whole
+  $ kill -STOP $pid; kill -INT $pid; kill -ALRM $pid; kill -CONT $pid
+  $ ended
+  [130]
   $ cat out err
 
 The display goes away:
