@@ -29,12 +29,14 @@ The window is that of the native program.
   $ until_ok said 'closed once'
   $ until_ok has_window '^green.scene'
   $ until_ok is_picture green.rgb
+  $ whole
   $ press s
   $ until_ok test -s green.bmp
   $ xdotool windowkill "$window"
   $ until_ok said 'closed twice'
   $ until_ok has_window '^scene'
   $ until_ok is_picture green.rgb
+  $ whole
   $ press s
   $ until_ok test -s scene.bmp
   $ press q
@@ -60,6 +62,7 @@ If there is none it is the prompt's own.
   $ until_ok said 'closed twice'
   $ until_ok has_window '^scene'
   $ until_ok is_picture green.rgb
+  $ whole
   $ press s
   $ until_ok test -s scene.bmp
   $ press q
