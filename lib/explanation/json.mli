@@ -3,58 +3,58 @@
     A document is an object [{ "version": 1, "pixels": [PIXEL, ...] }], where
 
     {v
-PIXEL = { "x": INT, "y": INT,             from the left, from the top
-          "rgb": [INT, INT, INT],         the bytes that a picture shows
-          "summary": STRING,              the sentence of Summary
-          "ray": RAY }
+    PIXEL = { "x": INT, "y": INT,             from the left, from the top
+              "rgb": [INT, INT, INT],         the bytes that a picture shows
+              "summary": STRING,              the sentence of Summary
+              "ray": RAY }
 
-RAY   = { "origin": VECTOR, "direction": VECTOR,
-          "reach": NUMBER or null,        where it ends; null: nowhere
-          "left": INT,                    rays left in the chain
-          "color": COLOR,
-          "outcome": "hit", "missed" or "chain ended",
-          "hit": HIT or null }            null unless it is "hit"
+    RAY   = { "origin": VECTOR, "direction": VECTOR,
+              "reach": NUMBER or null,        where it ends; null: nowhere
+              "left": INT,                    rays left in the chain
+              "color": COLOR,
+              "outcome": "hit", "missed" or "chain ended",
+              "hit": HIT or null }            null unless it is "hit"
 
-HIT   = { "object": OBJECT,
-          "t": NUMBER, "point": VECTOR, "normal": VECTOR,
-          "offset": NUMBER,               along the normal, of rays to come
-          "emission": COLOR, "albedo": COLOR, "mirror": NUMBER,
-          "lights": [LIGHT, ...],         none if the albedo is 0
-          "light": COLOR,                 the sum of their contributions
-          "emitted": COLOR,               these three, added from the left,
-          "diffused": COLOR,              are the colour of the ray
-          "mirrored": COLOR,
-          "reflection": RAY or null }     null if the mirror is 0
+    HIT   = { "object": OBJECT,
+              "t": NUMBER, "point": VECTOR, "normal": VECTOR,
+              "offset": NUMBER,               along the normal, of rays to come
+              "emission": COLOR, "albedo": COLOR, "mirror": NUMBER,
+              "lights": [LIGHT, ...],         none if the albedo is 0
+              "light": COLOR,                 the sum of their contributions
+              "emitted": COLOR,               these three, added from the left,
+              "diffused": COLOR,              are the colour of the ray
+              "mirrored": COLOR,
+              "reflection": RAY or null }     null if the mirror is 0
 
-OBJECT  = { "number": INT, "line": INT or null,
-            "shape": { "kind": "sphere",
-                       "centre": VECTOR, "radius": NUMBER }
-                  or { "kind": "plane",
-                       "point": VECTOR, "normal": VECTOR },
-            "surface": SURFACE }          as it is written
+    OBJECT  = { "number": INT, "line": INT or null,
+                "shape": { "kind": "sphere",
+                           "centre": VECTOR, "radius": NUMBER }
+                      or { "kind": "plane",
+                           "point": VECTOR, "normal": VECTOR },
+                "surface": SURFACE }          as it is written
 
-SURFACE = { "kind": "diffusive", "color": COLOR }
-       or { "kind": "reflective" }
-       or { "kind": "luminous", "color": COLOR }
-       or { "kind": "mixed",
-            "parts": [{ "weight": NUMBER, "surface": SURFACE }, ...] }
+    SURFACE = { "kind": "diffusive", "color": COLOR }
+           or { "kind": "reflective" }
+           or { "kind": "luminous", "color": COLOR }
+           or { "kind": "mixed",
+                "parts": [{ "weight": NUMBER, "surface": SURFACE }, ...] }
 
-LIGHT   = { "number": INT, "line": INT or null,
-            "kind": "directional" or "spherical",
-            "direction": VECTOR           if directional
-            "position": VECTOR            if spherical
-            "intensity": NUMBER, "color": COLOR,
-            "verdict": "faces away", "blocked" or "lit",
-            "cosine": NUMBER              if it faces away or is lit
-            "shadow_ray":                 if blocked or lit
-              RAY, without left, color, outcome and hit;
-              or null                     if lit: the light is where the ray
-                                          would start, or beyond all doubles
-            "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
-            "falloff": NUMBER, "contribution": COLOR }    if lit
+    LIGHT   = { "number": INT, "line": INT or null,
+                "kind": "directional" or "spherical",
+                "direction": VECTOR           if directional
+                "position": VECTOR            if spherical
+                "intensity": NUMBER, "color": COLOR,
+                "verdict": "faces away", "blocked" or "lit",
+                "cosine": NUMBER              if it faces away or is lit
+                "shadow_ray":                 if blocked or lit
+                  RAY, without left, color, outcome and hit;
+                  or null                     if lit: the light is where it
+                                              would start, or too far away
+                "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
+                "falloff": NUMBER, "contribution": COLOR }    if lit
 
-VECTOR  = [NUMBER, NUMBER, NUMBER]        x, y, z
-COLOR   = [NUMBER, NUMBER, NUMBER]        red, green, blue; 1 is bright
+    VECTOR  = [NUMBER, NUMBER, NUMBER]        x, y, z
+    COLOR   = [NUMBER, NUMBER, NUMBER]        red, green, blue; 1 is bright
     v}
 
     Objects and lights are numbered by their place in the scene, from 1; [line]

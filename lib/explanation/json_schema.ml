@@ -44,8 +44,8 @@ LIGHT   = { "number": INT, "line": INT or null,
             "cosine": NUMBER              if it faces away or is lit
             "shadow_ray":                 if blocked or lit
               RAY, without left, color, outcome and hit;
-              or null                     if lit: the light is where the ray
-                                          would start, or beyond all doubles
+              or null                     if lit: the light is where it
+                                          would start, or too far away
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
             "falloff": NUMBER, "contribution": COLOR }    if lit
 

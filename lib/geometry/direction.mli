@@ -13,7 +13,7 @@ val of_vec3 : Vec3.t -> t option
 val of_vec3_exn : Vec3.t -> t
 (** [of_vec3_exn v] is {!of_vec3}[ v].
 
-    @raise Invalid_argument where that is [None]. *)
+    Raises [Invalid_argument] where that is [None]. *)
 
 val of_vec3_or : t -> Vec3.t -> t
 (** [of_vec3_or default v] is the direction of [v], or [default] if it has none.

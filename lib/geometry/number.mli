@@ -12,7 +12,7 @@ val broken : rule -> float -> string option
 val require : rule -> string -> float -> unit
 (** [require rule name x] does nothing if [x] obeys [rule].
 
-    @raise Invalid_argument with [name], [x] and the rule otherwise. *)
+    Raises [Invalid_argument] with [name], [x] and the rule otherwise. *)
 
 val pp : Format.formatter -> float -> unit
 (** [pp] prints at most six significant digits and no needless zero: [2.5],

@@ -8,7 +8,7 @@ val make : point:Vec3.t -> normal:Direction.t -> t
 (** [make ~point ~normal] is the plane through [point] perpendicular to
     [normal].
 
-    @raise Invalid_argument if a coordinate of [point] is not finite. *)
+    Raises [Invalid_argument] if a coordinate of [point] is not finite. *)
 
 val intersections : t -> Ray.t -> float list
 (** [intersections plane ray] is all [t], negative ones included, for which

@@ -12,8 +12,8 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
 (** [plane ~point ~normal] is {!Plane.make} as a shape; [normal] may have any
     length.
 
-    @raise Invalid_argument
-      if a coordinate is not finite or [normal] is the zero vector. *)
+    Raises [Invalid_argument] if a coordinate is not finite or [normal] is the
+    zero vector. *)
 
 val intersections : t -> Ray.t -> float list
 (** [intersections shape ray] is all distances [t], in ascending order, at which

@@ -6,8 +6,8 @@ type t = private { cx : float; cy : float; cz : float; radius : float }
 val make : centre:Vec3.t -> radius:float -> t
 (** [make ~centre ~radius] is the sphere around [centre].
 
-    @raise Invalid_argument
-      if a number is not finite or [radius] is not greater than 0. *)
+    Raises [Invalid_argument] if a number is not finite or [radius] is not
+    greater than 0. *)
 
 val centre : t -> Vec3.t
 (** [centre sphere] is its centre. *)

@@ -29,4 +29,5 @@ val iter :
     If [work], [worker] or [on_progress] raises, the other domains stop after
     the piece that they are at, and the exception is raised again.
 
-    @raise Invalid_argument if [domains] is not between 1 and {!max_domains}. *)
+    Raises [Invalid_argument] if [domains] is not between 1 and {!max_domains}.
+*)

@@ -24,9 +24,8 @@ val make :
 (** [make ~width ~height ~canvas_width ~canvas_height ~depth] is the camera with
     these numbers.
 
-    @raise Invalid_argument
-      if one is not finite or not greater than 0, or [width] or [height] is
-      greater than {!max_size}. *)
+    Raises [Invalid_argument] if one is not finite or not greater than 0, or
+    [width] or [height] is greater than {!max_size}. *)
 
 val max_size : int
 (** [max_size] is 2^31 - 1: no picture format knows a larger number. *)
@@ -35,8 +34,8 @@ val with_size : width:int -> height:int -> t -> t
 (** [with_size ~width ~height camera] looks at the same canvas with a picture of
     this size.
 
-    @raise Invalid_argument
-      if [width] or [height] is less than 1 or greater than {!max_size}. *)
+    Raises [Invalid_argument] if [width] or [height] is less than 1 or greater
+    than {!max_size}. *)
 
 val eye : t -> Vec3.t
 (** [eye camera] is the point (0, 0, -depth). *)

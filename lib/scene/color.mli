@@ -38,4 +38,4 @@ val require : string -> t -> unit
 (** [require name c] does nothing if each channel of [c] is finite and not
     negative.
 
-    @raise Invalid_argument with [name] and the channel otherwise. *)
+    Raises [Invalid_argument] with [name] and the channel otherwise. *)

@@ -16,9 +16,9 @@ type t = private {
 
 (** {1 Building}
 
-    @raise Invalid_argument
-      if [intensity] or a channel of [color] is negative or not finite, or a
-      coordinate is not finite, or [direction] is the zero vector. *)
+    Raises [Invalid_argument] if [intensity] or a channel of [color] is negative
+    or not finite, or a coordinate is not finite, or [direction] is the zero
+    vector. *)
 
 val directional : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
 (** [directional ~intensity ~color direction] is light that travels along
@@ -79,7 +79,7 @@ val name : t -> string
 val map_color : (Color.t -> Color.t) -> t -> t
 (** [map_color f light] is [light] in the colour [f color].
 
-    @raise Invalid_argument if [f] makes a colour that no light may have. *)
+    Raises [Invalid_argument] if [f] makes a colour that no light may have. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] have the same numbers. Lines do not

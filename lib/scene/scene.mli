@@ -23,9 +23,8 @@ val make :
     {!Color.black}, [ray_depth] to {!default_ray_depth}, [lights] and [objects]
     to none.
 
-    @raise Invalid_argument
-      if [ray_depth] is negative or greater than {!max_ray_depth}, or a channel
-      of [background] is negative or not finite. *)
+    Raises [Invalid_argument] if [ray_depth] is negative or greater than
+    {!max_ray_depth}, or a channel of [background] is negative or not finite. *)
 
 val default_ray_depth : int
 (** [default_ray_depth] is 4, as in the original. *)

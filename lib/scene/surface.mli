@@ -10,8 +10,8 @@ type t = private
 
 (** {1 Building}
 
-    @raise Invalid_argument
-      if a channel or a weight is negative or not finite, or a mix is empty. *)
+    Raises [Invalid_argument] if a channel or a weight is negative or not
+    finite, or a mix is empty. *)
 
 val diffusive : Color.t -> t
 val reflective : t
@@ -41,7 +41,7 @@ val meaning : t -> meaning
 val map_colors : (Color.t -> Color.t) -> t -> t
 (** [map_colors f surface] is [surface] with [f] applied to each colour in it.
 
-    @raise Invalid_argument if [f] makes a colour that no surface may have. *)
+    Raises [Invalid_argument] if [f] makes a colour that no surface may have. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are written alike, number for number. *)

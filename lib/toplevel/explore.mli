@@ -75,4 +75,4 @@ val save : string -> unit
 (** [save file] renders the current scene and writes the picture to [file], as
     BMP, PNG or PPM by its extension: the very file that [raylab render] writes.
 
-    @raise Sys_error if it could not be written. *)
+    Raises [Sys_error] if it could not be written. *)

@@ -16,15 +16,14 @@ val picture : Scene.t -> Picture.t
 (** [picture scene] is the picture of [scene], made by the native program, or
     here if there is none. The program shows its progress on a terminal.
 
-    @raise Sys_error if the picture would not fit into memory.
-    @raise Failure if the program ends without a picture.
-    @raise Sys.Break if it is interrupted. *)
+    Raises [Sys_error] if the picture would not fit into memory. Raises
+    [Failure] if the program ends without a picture. Raises [Sys.Break] if it is
+    interrupted. *)
 
 val show : ?file:string -> Scene.t -> unit
 (** [show ~file scene] shows [scene], which came from [file], in a window of the
     native program, or of this one if there is none, until the window is closed.
     If there is no display that is told on standard error.
 
-    @raise Sys_error if the picture would not fit into memory.
-    @raise Failure if the program fails.
-    @raise Sys.Break if it is interrupted. *)
+    Raises [Sys_error] if the picture would not fit into memory. Raises
+    [Failure] if the program fails. Raises [Sys.Break] if it is interrupted. *)

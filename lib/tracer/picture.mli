@@ -11,10 +11,10 @@ val create : width:int -> height:int -> t
 (** [create ~width ~height] is a black picture of this size, three bytes a
     pixel.
 
-    @raise Invalid_argument
-      if [width] or [height] is less than 1, or there are more bytes than
-      [Sys.max_string_length]. Whether they fit into memory is asked by
-      [Picture_file.check_size]; if they do not, [Out_of_memory] is raised. *)
+    Raises [Invalid_argument] if [width] or [height] is less than 1, or there
+    are more bytes than [Sys.max_string_length]. Whether they fit into memory is
+    asked by [Picture_file.check_size]; if they do not, [Out_of_memory] is
+    raised. *)
 
 val width : t -> int
 (** [width picture] is the number of pixels in a row. *)
@@ -26,12 +26,12 @@ val set : t -> x:int -> y:int -> Color.t -> unit
 (** [set picture ~x ~y color] makes pixel [(x, y)] show [color]; see
     {!Raylab_scene.Level}. Domains may set different pixels at the same time.
 
-    @raise Invalid_argument if there is no such pixel. *)
+    Raises [Invalid_argument] if there is no such pixel. *)
 
 val get : t -> x:int -> y:int -> int * int * int
 (** [get picture ~x ~y] is the red, green and blue byte of pixel [(x, y)].
 
-    @raise Invalid_argument if there is no such pixel. *)
+    Raises [Invalid_argument] if there is no such pixel. *)
 
 val to_rgb : t -> bytes
 (** [to_rgb picture] is the bytes of [picture] themselves, not a copy: row by

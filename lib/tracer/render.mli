@@ -20,16 +20,15 @@ val picture :
     {!Raylab_parallel.Parallel.default_domains}. [on_progress] is told now and
     then, on the calling domain, the part that is done, and 1 at the end.
 
-    @raise Invalid_argument
-      if [rows] are not rows of the picture, or [domains] is not between 1 and
-      {!Raylab_parallel.Parallel.max_domains}. *)
+    Raises [Invalid_argument] if [rows] are not rows of the picture, or
+    [domains] is not between 1 and {!Raylab_parallel.Parallel.max_domains}. *)
 
 (** {1 Pictures that are watched} *)
 
 val blank : ?rows:rows -> Trace.t -> Picture.t
 (** [blank scene] is a black picture of the size that {!picture} would have.
 
-    @raise Invalid_argument if [rows] are not rows of the picture. *)
+    Raises [Invalid_argument] if [rows] are not rows of the picture. *)
 
 val refine :
   ?domains:int ->
@@ -47,5 +46,5 @@ val refine :
     Soon after [stop ()], which every domain asks for every pixel, is true,
     [refine] ends, with part of the picture.
 
-    @raise Invalid_argument
-      if [picture] has another size, and where {!val-picture} does. *)
+    Raises [Invalid_argument] if [picture] has another size, and where
+    {!val-picture} does. *)

@@ -5,7 +5,7 @@
     that denotes (emission, albedo, mirror),
 
     {v
-emission + albedo * light + mirror * (colour of the mirrored ray, n - 1 left)
+    emission + albedo * light + mirror * colour of the mirrored ray (n - 1 left)
     v}
 
     where [light] is the sum, in the order of the scene, of what each light
@@ -30,7 +30,7 @@ val numbered_object : t -> int -> Object.t
 (** [numbered_object t k] is the object of number [k], counted from 1, at once
     also in a scene of millions.
 
-    @raise Invalid_argument if there is none. *)
+    Raises [Invalid_argument] if there is none. *)
 
 val numbered_light : t -> int -> Light.t
 (** [numbered_light t k] is {!numbered_object} for lights. *)

@@ -35,4 +35,4 @@ val is_over : t -> bool
 val join : t -> unit
 (** [join rendering] waits until it is over. Each rendering must be joined.
 
-    @raise any exception that ended it. *)
+    Raises the exception that ended it, if one did. *)

@@ -22,9 +22,10 @@ val run :
     in any way, or goes away. No domain is left running then. It says in a line
     why there is no window if none can be opened.
 
-    The window shows [first], of which [rows] are shown; see {!Render}. Keys and
-    clicks do what {!Key.help} says. When [watch] tells of a change, the scene
-    is read and rendered again, and a rendering under way is stopped.
+    The window shows [first], of which [rows] are shown; see
+    {!Raylab_tracer.Render}. Keys and clicks do what {!Key.help} says. When
+    [watch] tells of a change, the scene is read and rendered again, and a
+    rendering under way is stopped.
 
     [on_loss] is called at once if the window is not closed from here, but is
     taken away, as most window managers do, or its display is. The X library may

@@ -1,5 +1,5 @@
-(* The scenes of the gallery and their golden pictures. At the top of the
-   repository:
+(* Scenes and their golden pictures: those of the gallery, and those of the
+   manual page of the scene language. At the top of the repository:
 
    golden compare          is what the tests do
    golden accept [NAME...] makes new golden pictures of these scenes, or of all
@@ -10,15 +10,49 @@ open Raylab_language
 open Raylab_tracer
 open Raylab_picture
 
-let scenes = "scenes"
-let goldens = Filename.concat "test" "gallery"
-let index = Filename.concat goldens "README.md"
+(* {1 Places} *)
+
+(* Large enough to see what there is, small enough for a repository. *)
+let width = 160
+
+let small (camera : Camera.t) =
+  let shape = float_of_int camera.height /. float_of_int camera.width in
+  let height = Int.max 1 (Float.to_int (Float.round (float width *. shape))) in
+  Camera.with_size ~width ~height camera
+
+type place = {
+  scenes : string;  (** where the scenes are *)
+  size : Camera.t -> Camera.t;  (** of the pictures *)
+  goldens : string;  (** where these are *)
+  index : string;  (** the page that has to speak of each of them *)
+  link : string -> string;  (** how it does, by a scene's name *)
+}
+
+let gallery =
+  {
+    scenes = "scenes";
+    size = small;
+    goldens = "test/gallery";
+    index = "test/gallery/README.md";
+    link = (fun name -> Printf.sprintf "[%s](%s.png)" name name);
+  }
+
+let manual =
+  {
+    scenes = "doc/language";
+    size = Fun.id;
+    goldens = "doc/language";
+    index = "doc/language.md";
+    link = (fun name -> Printf.sprintf "[%s]: language/%s.png" name name);
+  }
+
+let places = [ gallery; manual ]
 
 (* Where [compare] puts the pictures that are not as they were. *)
-let news = Filename.concat goldens "new"
-let scene_file name = Filename.concat scenes (name ^ ".scene")
+let news place = Filename.concat place.goldens "new"
+let scene_file place name = Filename.concat place.scenes (name ^ ".scene")
 let picture_file dir name = Filename.concat dir (name ^ ".png")
-let golden_file = picture_file goldens
+let golden_file place = picture_file place.goldens
 
 let names dir extension =
   Sys.readdir dir |> Array.to_list
@@ -35,18 +69,10 @@ let fail format =
 
 (* {1 Rendering} *)
 
-(* Large enough to see what there is, small enough for a repository. *)
-let width = 160
-
-let small (camera : Camera.t) =
-  let shape = float_of_int camera.height /. float_of_int camera.width in
-  let height = Int.max 1 (Float.to_int (Float.round (float width *. shape))) in
-  Camera.with_size ~width ~height camera
-
-let render name =
-  match Scene_file.load (scene_file name) with
+let render place name =
+  match Scene_file.load (scene_file place name) with
   | Ok scene ->
-      let scene = Scene.with_camera (small scene.camera) scene in
+      let scene = Scene.with_camera (place.size scene.camera) scene in
       Some (fst (Render.picture (Trace.prepare scene)))
   | Error errors ->
       List.iter
@@ -65,8 +91,8 @@ let save path picture =
 
 (* PNG files are compared by what they show: other versions of the library that
    writes them may pack it in another way. *)
-let load_golden name =
-  match Png.load (golden_file name) [] with
+let load_golden place name =
+  match Png.load (golden_file place name) [] with
   | Images.Rgb24 image -> Some image
   | _ | (exception (Failure _ | Sys_error _)) -> None
 
@@ -91,13 +117,13 @@ let difference ~width a b =
   in
   Seq.fold_left add None (Seq.init (Bytes.length a / 3) Fun.id)
 
-let complaint name picture =
+let complaint place name picture =
   let width = Picture.width picture and height = Picture.height picture in
-  if not (Sys.file_exists (golden_file name)) then
+  if not (Sys.file_exists (golden_file place name)) then
     Some "it has no golden picture"
   else
-    match load_golden name with
-    | None -> Some (golden_file name ^ " is no PNG of 24 bits a pixel")
+    match load_golden place name with
+    | None -> Some (golden_file place name ^ " is no PNG of 24 bits a pixel")
     | Some golden when golden.Rgb24.width <> width || golden.height <> height ->
         Some
           (Printf.sprintf "the picture has %d x %d pixels, the golden %d x %d"
@@ -116,56 +142,69 @@ let complaint name picture =
         in
         Option.map tell (difference ~width rgb old)
 
-let compare_one name =
+let compare_one place name =
   let check picture =
-    match complaint name picture with
+    match complaint place name picture with
     | None -> ()
     | Some complaint ->
-        fail "%s: %s" (scene_file name) complaint;
-        if not (Sys.file_exists news) then Sys.mkdir news 0o777;
-        save (picture_file news name) picture;
+        fail "%s: %s" (scene_file place name) complaint;
+        if not (Sys.file_exists (news place)) then Sys.mkdir (news place) 0o777;
+        save (picture_file (news place) name) picture;
         Printf.eprintf
           "Look at it. If it is right, make it the golden picture:\n\
           \  dune exec test/gallery/golden.exe accept %s\n\
            %!"
           name
   in
-  Option.iter check (render name)
+  Option.iter check (render place name)
 
-let check_index text name =
-  let entry = Printf.sprintf "[%s](" name in
-  let length = String.length entry in
-  let is_at i = String.sub text i length = entry in
-  if not (Seq.exists is_at (Seq.init (String.length text - length) Fun.id)) then
-    fail "%s: %s does not say what to look for in it: add %s%s.png)"
-      (scene_file name) index entry name
+let contains text part =
+  let length = String.length part in
+  let is_at i = String.sub text i length = part in
+  Seq.exists is_at (Seq.init (String.length text - length + 1) Fun.id)
 
-let compare_all () =
-  let known = names scenes ".scene" in
-  List.iter compare_one known;
+let check_index place text name =
+  let link = place.link name in
+  if not (contains text link) then
+    fail "%s: %s says nothing of its picture: add %s" (scene_file place name)
+      place.index link
+
+let compare_all place =
+  let known = names place.scenes ".scene" in
+  List.iter (compare_one place) known;
   List.iter
-    (check_index (In_channel.with_open_bin index In_channel.input_all))
+    (check_index place
+       (In_channel.with_open_bin place.index In_channel.input_all))
     known;
   List.iter
     (fun name ->
       if not (List.mem name known) then
-        fail "%s: there is no %s; remove it" (golden_file name)
-          (scene_file name))
-    (names goldens ".png")
+        fail "%s: there is no %s; remove it" (golden_file place name)
+          (scene_file place name))
+    (names place.goldens ".png")
 
 (* {1 Accepting} *)
 
 (* What has not changed keeps its file, however it is packed. *)
-let accept name =
+let accept place name =
   let check picture =
-    if complaint name picture <> None then save (golden_file name) picture
+    if complaint place name picture <> None then
+      save (golden_file place name) picture
   in
-  Option.iter check (render name)
+  Option.iter check (render place name)
+
+let accept_all place = List.iter (accept place) (names place.scenes ".scene")
+
+let accept_named name =
+  let has_it place = Sys.file_exists (scene_file place name) in
+  match List.filter has_it places with
+  | [] -> fail "there is no scene %s" name
+  | places -> List.iter (fun place -> accept place name) places
 
 let () =
   (match List.tl (Array.to_list Sys.argv) with
-  | [ "compare" ] -> compare_all ()
-  | [ "accept" ] -> List.iter accept (names scenes ".scene")
-  | "accept" :: names -> List.iter accept names
+  | [ "compare" ] -> List.iter compare_all places
+  | [ "accept" ] -> List.iter accept_all places
+  | "accept" :: names -> List.iter accept_named names
   | _ -> fail "usage: golden compare | golden accept [NAME...]");
   if !failed then exit 1

@@ -11,6 +11,7 @@ let () =
       Test_offset.suite;
       Test_acne.suite;
       Test_scale.suite;
+      Test_semantics.suite;
       Test_any_scene.suite;
       Test_parallel_iter.suite;
       Test_parallel_failures.suite;
