@@ -283,12 +283,12 @@ Elsewhere
   > ocamlformat 0.26.2
   > EOF
   $ setup ubuntu24 1000 opam --dry-run
-  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner>=1.3.0 yojson>=2.0.0
-  opam install dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner\>=1.3.0 yojson\>=2.0.0
+  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner=1.3.0 yojson>=2.0.0
+  opam install dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner=1.3.0 yojson\>=2.0.0
   setup: to put dune on the PATH, run: eval $(opam env)
   $ setup fedora 1000 opam --dry-run --test --yes
-  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner>=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
-  opam install --yes dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner\>=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
+  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
+  opam install --yes dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
   setup: to put dune on the PATH, run: eval $(opam env)
   $ echo 'ocaml 4.14.2' > switch
   $ setup fedora 1000 opam --dry-run
