@@ -9,16 +9,29 @@ let number x =
   if Float.is_nan x then "0"
   else pf "%.1f" (Float.max (-.furthest) (Float.min furthest x))
 
+(* XML has no way to write control characters and bytes that are not UTF-8. *)
+let is_character code =
+  (code >= 0x20 && code < 0x7f)
+  || (code >= 0xa0 && code <> 0xfffe && code <> 0xffff)
+  || code = 0x09 || code = 0x0a
+
 let escape text =
   let buffer = Buffer.create (String.length text) in
-  String.iter
-    (function
-      | '&' -> Buffer.add_string buffer "&amp;"
-      | '<' -> Buffer.add_string buffer "&lt;"
-      | '>' -> Buffer.add_string buffer "&gt;"
-      | '"' -> Buffer.add_string buffer "&quot;"
-      | c -> Buffer.add_char buffer c)
-    text;
+  let rec copy i =
+    if i < String.length text then (
+      let decoded = String.get_utf_8_uchar text i in
+      let char = Uchar.utf_decode_uchar decoded in
+      (match Uchar.to_int char with
+      | 0x26 -> Buffer.add_string buffer "&amp;"
+      | 0x3c -> Buffer.add_string buffer "&lt;"
+      | 0x3e -> Buffer.add_string buffer "&gt;"
+      | 0x22 -> Buffer.add_string buffer "&quot;"
+      | code ->
+          Buffer.add_utf_8_uchar buffer
+            (if is_character code then char else Uchar.rep));
+      copy (i + Uchar.utf_decode_length decoded))
+  in
+  copy 0;
   Buffer.contents buffer
 
 let document ~width ~height ~title elements =

@@ -1,27 +1,38 @@
 open Raylab_geometry
 open Raylab_scene
 
+(* A span holds no larger offset. *)
+let max_size = (1 lsl 31) - 1
+
+let too_large file =
+  let reason = Printf.sprintf "the scene is larger than %d bytes" max_size in
+  Error [ Scene_error.unreadable ~file reason ]
+
 let parse source =
-  match Reader.parse source with
-  | Error error -> Error [ error ]
-  | Ok syntax -> Check.scene source syntax
+  if String.length (Source.text source) > max_size then
+    too_large (Source.name source)
+  else
+    match Reader.parse source with
+    | Error error -> Error [ error ]
+    | Ok syntax -> Check.scene source syntax
 
 (* {1 Reading files} *)
 
-let max_size = 1 lsl 31
 let chunk_size = 1 lsl 16
 
-(* By chunks, since the length of a pipe or a device is not known before. *)
+(* The text, or [None] if it has more than [limit] bytes. By chunks, since the
+   length of a pipe or a device is not known before; a folder's seems huge until
+   one reads it. *)
 let read_at_most limit channel =
   let length = try In_channel.length channel with Sys_error _ -> 0L in
-  let known = Int64.to_int (Int64.min length (Int64.of_int limit)) in
+  let is_too_large = length > Int64.of_int limit in
+  let known = if is_too_large then 0 else Int64.to_int length in
   let text = Buffer.create (Int.max chunk_size known) in
   let chunk = Bytes.create chunk_size in
   let rec read () =
     match In_channel.input channel chunk 0 chunk_size with
-    | 0 -> Ok (Buffer.contents text)
-    | count when Buffer.length text + count > limit ->
-        Error (Printf.sprintf "the scene is larger than %d bytes" limit)
+    | 0 -> Some (Buffer.contents text)
+    | count when is_too_large || Buffer.length text + count > limit -> None
     | count ->
         Buffer.add_subbytes text chunk 0 count;
         read ()
@@ -37,8 +48,8 @@ let read path =
 let load path =
   let file = if path = "-" then "<standard input>" else path in
   match read path with
-  | Ok text -> parse (Source.make ~name:file text)
-  | Error reason -> Error [ Scene_error.unreadable ~file reason ]
+  | Some text -> parse (Source.make ~name:file text)
+  | None -> too_large file
   | exception Sys_error reason ->
       (* the system's message starts with the path, which the error names *)
       let prefix = path ^ ": " in

@@ -6,15 +6,16 @@ val parse : Source.t -> (Scene.t, Scene_error.t list) result
 (** [parse source] is the scene that [source] describes, or what is wrong with
     it: one error of syntax, or all errors of validation in the order of the
     text. It takes time linear in the size of the text and raises nothing,
-    whatever the bytes. *)
+    whatever the bytes. More of them than {!max_size} are an error, without a
+    place. *)
 
 val load : string -> (Scene.t, Scene_error.t list) result
 (** [load path] is {!parse} of the file at [path], or of standard input if
-    [path] is ["-"]. A file that cannot be read, or of more than {!max_size}
-    bytes, is an error too. *)
+    [path] is ["-"]. A file that cannot be read, or is too large, is an error
+    too. *)
 
 val max_size : int
-(** [max_size] is 2^31, 2 GiB. *)
+(** [max_size] is 2^31 - 1 bytes, almost 2 GiB. *)
 
 val print : Format.formatter -> Scene.t -> unit
 (** [print ppf scene] writes [scene] in the scene language, one setting, light

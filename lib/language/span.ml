@@ -1,6 +1,6 @@
 type t = int
 
-let length_bits = 24
+let length_bits = 31
 let longest = (1 lsl length_bits) - 1
 
 let make ~start ~stop =

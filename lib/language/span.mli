@@ -6,8 +6,7 @@ type t
 
 val make : start:int -> stop:int -> t
 (** [make ~start ~stop] is the text from byte [start] up to but not including
-    byte [stop]. Offsets go up to 2^38; of a longer span than 16 MB the end is
-    forgotten. *)
+    byte [stop]. Offsets go up to 2^31, which is as long as a scene may be. *)
 
 val start : t -> int
 (** [start span] is the offset of its first byte. *)

@@ -26,7 +26,11 @@ val directional : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
 
 val point : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
 (** [point ~intensity ~color position] is the scene language's [spherical]
-    light: it falls off with the square of the distance from [position]. *)
+    light: it falls off with the square of the distance from [position].
+
+    In a picture it gives nothing where that square is no double: beyond about
+    1e154, where only an intensity of more than 1e304 could be seen, and within
+    about 1e-162, as if the light were at the point itself. *)
 
 (** {1 What reaches a point} *)
 

@@ -105,5 +105,5 @@ let save path =
             Picture_file.save format ~path (render ()))
   in
   match written with
-  | Ok () -> Format.printf "wrote %s@." path
+  | Ok () -> Format.printf "wrote %s@." (Raylab_language.Source.printable path)
   | Error message -> raise (Sys_error message)

@@ -195,7 +195,7 @@ let point_light t at =
   let wx = lx -. hit.x and wy = ly -. hit.y and wz = lz -. hit.z in
   let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz)
   and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
-  (* a light whose distance cannot be squared is too far away to be seen *)
+  (* a light whose distance cannot be squared gives nothing: see Light.point *)
   let cosine =
     if squared > 0. && squared < farthest && hit.offset < 0x1p500 then
       facing /. sqrt squared

@@ -19,7 +19,9 @@ type t =
   | Nearest_hit of Hit.t  (** The first hit of the ray. *)
   | Faces_away of { light : int; cosine : float }
       (** The surface is turned away from the light: [cosine], of the angle
-          between the normal and the way to the light, is not positive. *)
+          between the normal and the way to the light, is not positive. It is 0,
+          too, where a point light gives nothing since the square of its
+          distance is no double. *)
   | Shadow_ray of { light : int; ray : Ray.t }
       (** A ray is sent to find out whether anything blocks the light. *)
   | Blocked of { light : int; by : int; t : float; point : Vec3.t }

@@ -11,7 +11,8 @@ open Raylab_scene
 (** What a light gives to a hit. *)
 type verdict =
   | Faces_away of { cosine : float }
-      (** The surface is turned away; [cosine] is not positive. *)
+      (** The surface is turned away; [cosine] is not positive. It is 0, too,
+          where the square of the distance to the light is no double. *)
   | Blocked of {
       shadow_ray : Ray.t;
       by : int;  (** the number of the blocking object, from 1 *)

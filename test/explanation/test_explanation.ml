@@ -9,5 +9,6 @@ let () =
       Test_parts.suite;
       Test_steps.suite;
       Test_json.suite;
+      Test_svg.suite;
       Test_path_picture.suite;
     ]

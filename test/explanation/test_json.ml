@@ -30,6 +30,15 @@ let strict =
       let json = Json.document (Any.explanations scene) in
       compare (parse (Json.to_string json)) json = 0)
 
+(* Neither ends a string early nor brings a control character with it. *)
+let any_string =
+  Property.holds "JSON whatever the text" ~print:String.escaped
+    QCheck2.Gen.(string_size ~gen:(map Char.chr (int_bound 127)) (0 -- 20))
+    (fun text ->
+      let json = Json.to_string (`String text) in
+      let is_plain c = c >= ' ' && c <> '\x7f' in
+      String.for_all is_plain (String.trim json) && parse json = `String text)
+
 (* {1 By hand} *)
 
 let test_document () =
@@ -132,4 +141,4 @@ let suite =
     Alcotest.test_case "document" `Quick test_document
     :: Alcotest.test_case "all kinds" `Quick test_all_kinds
     :: Alcotest.test_case "schema" `Quick test_schema
-    :: round_trip :: strict )
+    :: round_trip :: any_string :: strict )

@@ -15,6 +15,8 @@ let texts =
     ("nested mixes", after_header ~start:ball "mixed 1 " ~stop:"reflective");
     ("nested mixes without end", after_header ~start:ball "mixed 1 ");
     ("nested mixes in error", after_header ~start:ball "mixed 1 " ~stop:"x");
+    ( "nested mixes with a wrong weight",
+      after_header ~start:ball "mixed 1 " ~stop:"mixed -1 reflective" );
     ( "nested mixes of two",
       after_header ~start:ball "mixed 1 diffusive red .5 " ~stop:"reflective" );
     ("a mix of many parts", after_header ~start:(ball ^ "mixed") " 1 luminous red");
@@ -26,6 +28,8 @@ let texts =
     ("lines of Windows", times "\r\n");
     ("a long word", times "m");
     ("a long number", fun n -> "imWidth " ^ times "1" n);
+    ("a wrong number after a long one", fun n ->
+      header ^ "sphere 0 0 " ^ times "0" n ^ " -1 reflective");
     ("a long fraction", fun n -> "depth 0." ^ times "0" n ^ "1");
     ("a long comment", fun n -> "#" ^ times "m" n);
     ("many comments", times "#\n");
@@ -42,7 +46,8 @@ let read text =
 let growth ~measure make n =
   let work n =
     let text = make n in
-    Gc.full_major ();
+    (* What the last text left free would be given to a small one for nothing. *)
+    Gc.compact ();
     let before = measure () in
     read text;
     measure () -. before

@@ -44,9 +44,22 @@ let test_long () =
       done)
     [ 1; 50; 4095; 4096; 4097; 10_000 ]
 
+(* Of any text, the one that is nothing but line ends included. *)
+let test_memory () =
+  let words value = Obj.reachable_words (Obj.repr value) in
+  List.iter
+    (fun char ->
+      let text = String.make 1_000_000 char in
+      let index = Lines.index text in
+      Alcotest.(check bool)
+        "some thousandths" true
+        (words index - words text < words text / 100))
+    [ '\n'; 'a' ]
+
 let suite =
   ( "Lines",
     [
+      Alcotest.test_case "memory" `Quick test_memory;
       Alcotest.test_case "few" `Quick test_few;
       Alcotest.test_case "long" `Quick test_long;
     ] )

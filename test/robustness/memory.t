@@ -18,3 +18,11 @@ What does not fit ends with one line. No file is there, new or half.
   [125]
   $ ls -A
   sky.scene
+
+A scene that is too large is refused before there is room made for it.
+
+  $ truncate -s 2G huge.scene
+  $ (ulimit -v 1500000; raylab check huge.scene)
+  huge.scene: error: the scene is larger than 2147483647 bytes
+  [1]
+  $ rm huge.scene

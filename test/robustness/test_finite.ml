@@ -67,6 +67,14 @@ let test_ends () =
     (scene ~depth:max_float
        (bulb (v 0. 0. 0.))
        [ plane (v max_float 0. max_float) (v 1. 1. 1.) matt ]);
+  (* mirrored by the far wall, the rays at the sides meet the near one there *)
+  check "a mirrored point beyond doubles"
+    (scene
+       (bulb (v 0. 0. 0.))
+       [
+         plane (v 0. 0. (0.8 *. max_float)) axis matt;
+         plane (v 0. 0. (-2.)) axis matt;
+       ]);
   check "the smallest sphere"
     (scene (bulb eye) [ sphere (v 0. 0. 0.) 5e-324 matt ])
 

@@ -57,9 +57,12 @@ Killed
 A kill that no program can answer, while the picture is written: the older file
 is whole.
 
+  $ await_part () {
+  >   for try in $(seq 2000); do ls -A $1 | grep -q part && break; sleep 0.01; done
+  > }
   $ mkdir killed && echo older > killed/old.ppm
   $ ./raylab render sky.scene -q --size 6000x6000 -o killed/old.ppm & pid=$!
-  $ until ls -A killed | grep -q part; do sleep 0.05; done; kill -9 $pid; wait $pid 2> /dev/null
+  $ await_part killed; kill -9 $pid; wait $pid 2> /dev/null
   [137]
   $ cat killed/old.ppm
   older
@@ -69,7 +72,7 @@ Ended during the write, it leaves nothing else there.
   $ rm -f killed/.raylab*
   $ for signal in INT TERM; do
   >   (trap - INT; exec ./raylab render sky.scene -q --size 6000x6000 -o killed/old.ppm) & pid=$!
-  >   until ls -A killed | grep -q part; do sleep 0.05; done; kill -$signal $pid; wait $pid; echo "[$?]"
+  >   await_part killed; kill -$signal $pid; wait $pid; echo "[$?]"
   >   ls -A killed; cat killed/old.ppm
   > done
   [130]
@@ -78,4 +81,11 @@ Ended during the write, it leaves nothing else there.
   [143]
   old.ppm
   older
+
+Nor does it mind if that was taken away already.
+
+  $ mkdir away
+  $ (exec ./raylab render sky.scene -q --size 6000x6000 -o away/new.ppm) & pid=$!
+  $ await_part away; kill -STOP $pid; rm -r away; kill -TERM $pid; kill -CONT $pid; wait $pid
+  [143]
   $ cd / && rm -r $top

@@ -274,6 +274,13 @@ program rendered it or the prompt itself.
   - : unit = ()
   $ cmp s.bmp r.bmp && cmp t.bmp r.bmp
 
+Names are told as they can be printed:
+
+  $ say 'save "a\027[31mb\xc2\x9bc\xff.ppm"' | LC_ALL=C sed 's/\xef\xbf\xbd/?/g'
+  wrote a?[31mb?c?.ppm
+  - : unit = ()
+  $ rm a*.ppm
+
 What cannot be written, or not rendered:
 
   $ say 'save "s.gif"'

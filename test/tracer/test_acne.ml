@@ -95,7 +95,11 @@ let ground () =
 let far_away () =
   check "a plane at 1e9" ~least:(side * side)
     (scene 1. ~light:(Shot.sun 1. 0. 1.)
-       ~object_:(plane (v 0. 0. 1e9) (v 0. 0. 1.) white))
+       ~object_:(plane (v 0. 0. 1e9) (v 0. 0. 1.) white));
+  (* where doubles are further apart than the offset of everyday scales *)
+  check "a slanted plane at 1e13" ~least:(side * side)
+    (scene 1. ~light:(Shot.sun 1. 0. 1.)
+       ~object_:(plane (v 0. 0. 1e13) (v 0.1 0.2 1.) white))
 
 let suite =
   ( "Acne",

@@ -64,6 +64,23 @@ let test_light_very_near () =
   in
   Alcotest.check (Same.color_near 1e-6) "1e-12 / (1e-6)^2" Color.white shot
 
+(* The square of the distance must be a double. *)
+let test_light_beyond_squares () =
+  let shot intensity z =
+    Shot.centre ~lights:[ Shot.bulb ~intensity 0. 0. z ] [ wall white ]
+  in
+  check "as far as squares reach" Color.white (shot 1e306 (-1e153));
+  check "farther" Color.black (shot max_float (-1e154));
+  check "very far" Color.black (shot max_float (-1e200));
+  check "as far as doubles reach" Color.black (shot max_float (-.max_float));
+  let near z =
+    Shot.centre
+      ~lights:[ Shot.bulb ~intensity:1e-300 0. 0. z ]
+      [ plane Raylab_geometry.Vec3.zero (v 0. 0. 1.) white ]
+  in
+  check "as near as squares reach" Color.white (near (-1e-150));
+  check "nearer" Color.black (near (-1e-170))
+
 let test_coincident () =
   check "the first" Color.red (Shot.centre [ wall red; wall green ]);
   check "of the scene" Color.green (Shot.centre [ wall green; wall red ]);
@@ -101,6 +118,7 @@ let suite =
       Alcotest.test_case "light on a surface" `Quick test_light_on_surface;
       Alcotest.test_case "light at the point" `Quick test_light_at_the_point;
       Alcotest.test_case "light very near" `Quick test_light_very_near;
+      Alcotest.test_case "light beyond squares" `Quick test_light_beyond_squares;
       Alcotest.test_case "coincident surfaces" `Quick test_coincident;
       Alcotest.test_case "parallel to a plane" `Quick test_parallel;
       Alcotest.test_case "tangent to a sphere" `Quick test_tangent;

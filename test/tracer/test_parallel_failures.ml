@@ -90,6 +90,25 @@ let test_stops () =
     (List.length
        (Parallel.iter ~domains:2 ~worker:ignore ~count:10 (fun () _ -> ())))
 
+(* Nor is it by the others. Each of their pieces takes so long that they cannot
+   have done all. *)
+let test_others_stop () =
+  let caller = Domain.self () and others = Atomic.make 0 in
+  (match
+     Parallel.iter ~domains:2 ~worker:ignore ~count:1000 (fun () _ ->
+         if Domain.self () = caller then (
+           while Atomic.get others = 0 do
+             Domain.cpu_relax ()
+           done;
+           raise (Broken "caller"))
+         else (
+           Atomic.incr others;
+           Unix.sleepf 0.002))
+   with
+  | _ -> Alcotest.fail "nothing raised"
+  | exception Broken _ -> ());
+  Alcotest.(check bool) "not all" true (Atomic.get others < 900)
+
 let suite =
   ( "Parallel.iter, failures",
     [
@@ -98,4 +117,5 @@ let suite =
       Alcotest.test_case "in another domain" `Quick test_helper;
       Alcotest.test_case "in on_progress" `Quick test_progress;
       Alcotest.test_case "stops" `Quick test_stops;
+      Alcotest.test_case "the others stop" `Quick test_others_stop;
     ] )
