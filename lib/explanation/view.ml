@@ -32,22 +32,13 @@ let inside { left; top; width; height; _ } (x, y) =
   ( clamp (left +. 32.) (left +. width -. 32.) x,
     clamp (top +. 14.) (top +. height -. 6.) y )
 
-(* Narrows the parameters (t0, t1) of a line to those for which the coordinate
-   [from + t * step] lies between [low] and [high] (Liang and Barsky, 1984). *)
-let narrow (t0, t1) from step low high =
-  if step = 0. then
-    if low <= from && from <= high then (t0, t1) else (infinity, neg_infinity)
-  else
-    let a = (low -. from) /. step and b = (high -. from) /. step in
-    (Float.max t0 (Float.min a b), Float.min t1 (Float.max a b))
-
 let clip view origin direction range =
   let { side; left; top; width; height; scale; _ } = view in
   let x, y = point view origin in
   let dx = scale *. across side direction
   and dy = -.scale *. up side direction in
-  let range = narrow range x dx left (left +. width) in
-  let t0, t1 = narrow range y dy top (top +. height) in
+  let range = Clip.narrow range ~from:x ~step:dx left (left +. width) in
+  let t0, t1 = Clip.narrow range ~from:y ~step:dy top (top +. height) in
   let at t = (x +. (t *. dx), y +. (t *. dy)) in
   if t0 < t1 && Float.is_finite t0 && Float.is_finite t1 then Some (at t0, at t1)
   else None
