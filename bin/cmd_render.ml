@@ -1,8 +1,10 @@
 open Cmdliner
 open Raylab_parallel
 open Raylab_scene
+open Raylab_language
 open Raylab_tracer
 open Raylab_picture
+open Raylab_band
 open Raylab_window
 
 (* Whether a window opens afterwards. *)
@@ -35,13 +37,16 @@ let target { scene; out; _ } =
 
 let format options = function
   | Standard_output -> Picture_file.Bmp
-  | File path -> Output.format ~scene:options.scene path
+  | File path -> Output.format path ~inputs:[ options.scene ] ~named:"the scene"
 
-let write format target picture =
+let write format target band picture =
   let written =
-    match target with
-    | Standard_output -> Picture_file.output format stdout picture
-    | File path -> Picture_file.save format ~path picture
+    match (target, band) with
+    | Standard_output, None -> Picture_file.output format stdout picture
+    | File path, None -> Picture_file.save format ~path picture
+    | Standard_output, Some band ->
+        Band_writer.output format stdout band picture
+    | File path, Some band -> Band_writer.save format ~path band picture
   in
   match written with
   | Ok () -> ()
@@ -66,6 +71,16 @@ let check_size format options { Camera.width; height; _ } =
   match Picture_file.check_size format ~width ~height with
   | Ok () -> ()
   | Error message -> Command.write_error message
+
+let band options source { Camera.width; height; _ } =
+  let of_rows { Render.first; last } =
+    let scene = Digest.string (Source.text source)
+    and grey = Options.is_grey options.view in
+    Band.make
+      { width; height; grey; scene; version = Version.number }
+      ~first ~last
+  in
+  Option.map of_rows options.rows
 
 let print_stats (tally : Tally.t) ~pixels ~seconds =
   let rays = Tally.rays tally in
@@ -112,9 +127,11 @@ let show options target scene picture ~seconds =
 let render options () =
   let target = target options in
   let format = format options target in
-  let scene = Options.adjust options.view (Command.load_scene options.scene) in
+  let source = Command.read_scene options.scene in
+  let scene = Options.adjust options.view (Command.parse_scene source) in
   check_rows options scene.camera;
   check_size format options scene.camera;
+  let band = band options source scene.camera in
   let progress = Progress.start ~quiet:options.quiet in
   let started = Unix.gettimeofday () in
   let domains =
@@ -127,7 +144,7 @@ let render options () =
   in
   let seconds = Unix.gettimeofday () -. started in
   Progress.clear progress;
-  write format target picture;
+  write format target band picture;
   (match target with
   | File path when not options.quiet -> Command.say "wrote %s" path
   | _ -> ());
@@ -175,7 +192,8 @@ let options show =
   and rows =
     let doc =
       "Render only rows $(docv), both included, counted from 0 at the top. The \
-       picture holds just these rows."
+       picture holds just these rows, and says in its file where they belong: \
+       $(b,raylab join) puts such bands together."
     in
     value & opt (some rows) None & info [ "rows" ] ~docv:"A-B" ~doc
   and stats =

@@ -25,7 +25,9 @@ let view options () =
   let check_out out =
     if out = "-" then
       Command.usage_error "option -o: explanations go to standard output";
-    ignore (Output.format ~scene:path out : Picture_file.format)
+    ignore
+      (Output.format out ~inputs:[ path ] ~named:"the scene"
+        : Picture_file.format)
   in
   Option.iter check_out options.out;
   (* before the scene is read, so that no change is missed *)

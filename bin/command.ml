@@ -34,6 +34,11 @@ let end_with code format =
     format
 
 let usage_error format = end_with Exit_code.usage format
+
+let refuse messages =
+  List.iter (say "%s") messages;
+  raise (Ended Exit_code.refused)
+
 let write_error message = end_with Exit_code.not_written "%s" message
 
 let scene_arg =
@@ -42,12 +47,15 @@ let scene_arg =
 
 let print_error error = print_line (Format.asprintf "%a" Scene_error.pp error)
 
-let load_scene path =
-  match Scene_file.load path with
-  | Ok scene -> scene
+let or_errors = function
+  | Ok value -> value
   | Error errors ->
       List.iter print_error errors;
       raise (Ended Exit_code.scene_error)
+
+let read_scene path = or_errors (Scene_file.read path)
+let parse_scene source = or_errors (Scene_file.parse source)
+let load_scene path = or_errors (Scene_file.load path)
 
 let is_same_file a b =
   match (Unix.stat a, Unix.stat b) with

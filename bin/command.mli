@@ -28,6 +28,10 @@ val write_error : string -> 'a
 (** [write_error message] says on standard error that a picture could not be
     written, and ends the program. *)
 
+val refuse : string list -> 'a
+(** [refuse messages] says on standard error why bands are not joined, and ends
+    the program. *)
+
 (** {1 Scenes} *)
 
 val scene_arg : string Cmdliner.Term.t
@@ -36,6 +40,12 @@ val scene_arg : string Cmdliner.Term.t
 val load_scene : string -> Raylab_scene.Scene.t
 (** [load_scene path] is the scene at [path], or it prints what is wrong with it
     on standard error and ends the program. *)
+
+val read_scene : string -> Raylab_language.Source.t
+(** [read_scene path] is the text of the scene at [path], or likewise. *)
+
+val parse_scene : Raylab_language.Source.t -> Raylab_scene.Scene.t
+(** [parse_scene source] is the scene that [source] describes, or likewise. *)
 
 val is_same_file : string -> string -> bool
 (** [is_same_file a b] is whether there is one file that both paths lead to. *)

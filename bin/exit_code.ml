@@ -1,5 +1,6 @@
 let ok = 0
 let scene_error = 1
+let refused = 1
 let not_written = 2
 let usage = Cmdliner.Cmd.Exit.cli_error
 let failed = Cmdliner.Cmd.Exit.internal_error
@@ -11,10 +12,12 @@ let infos =
   let info code doc = Cmdliner.Cmd.Exit.info code ~doc in
   [
     info ok "on success.";
-    info scene_error "if the scene is in error or cannot be read.";
+    info scene_error
+      "if the scene is in error or cannot be read, or if bands do not make a \
+       picture.";
     info not_written
-      "if a picture or other output could not be written, or not shown for \
-       want of a display.";
+      "if a picture or other output could not be written, not shown for want \
+       of a display, or a job not submitted.";
     info usage "if the command line is wrong.";
     info interrupted "if interrupted by Ctrl-C; nothing is written then.";
     info hung_up "if the terminal went away; nothing is written then.";

@@ -6,8 +6,12 @@ val ok : int
 val scene_error : int
 (** 1: the scene is in error *)
 
+val refused : int
+(** 1: bands do not make a picture *)
+
 val not_written : int
-(** 2: a picture or other output could not be written, or not shown *)
+(** 2: a picture or other output could not be written, or not shown, or a job
+    not submitted *)
 
 val usage : int
 (** 124: the command line is wrong *)

@@ -1,7 +1,15 @@
 open Cmdliner
 
 let commands render =
-  [ render; Cmd_view.cmd; Cmd_explain.cmd; Cmd_check.cmd; Cmd_repl.cmd ]
+  [
+    render;
+    Cmd_view.cmd;
+    Cmd_explain.cmd;
+    Cmd_check.cmd;
+    Cmd_repl.cmd;
+    Cmd_join.cmd;
+    Cmd_slurm.cmd;
+  ]
 
 let man =
   [

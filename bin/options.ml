@@ -53,6 +53,14 @@ let view =
   in
   Term.(const (fun size grey -> { size; grey }) $ size $ grey)
 
+let is_grey view = view.grey
+
+let arguments { size; grey } =
+  (match size with
+  | None -> []
+  | Some (width, height) -> [ "--size"; Printf.sprintf "%dx%d" width height ])
+  @ if grey then [ "--grey" ] else []
+
 let adjust { size; grey } scene =
   let scene = if grey then Scene.greyscale scene else scene in
   match size with

@@ -11,6 +11,12 @@ type view
 val view : view Term.t
 (** [view] is these options. *)
 
+val is_grey : view -> bool
+(** [is_grey view] is whether option --grey is given. *)
+
+val arguments : view -> string list
+(** [arguments view] is how a command line says it. *)
+
 val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
 (** [adjust view scene] is [scene] as the options want it. *)
 
@@ -18,6 +24,9 @@ val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
 
 val domains : int option Term.t
 (** [domains] is option --domains. *)
+
+val number_of_domains : int Arg.conv
+(** [number_of_domains] converts what option --domains takes. *)
 
 (** {1 Numbers} *)
 

@@ -6,7 +6,7 @@ val beside : string -> string
 (** [beside scene] is where the picture of the scene file [scene] goes if
     nothing else is said: its name with [.bmp]. *)
 
-val format : scene:string -> string -> Picture_file.format
-(** [format ~scene path] is the format that [path] names. The program ends with
-    a usage error if there is no such format, if [path] is empty, or if it is
-    the file [scene]. *)
+val format : string -> inputs:string list -> named:string -> Picture_file.format
+(** [format path ~inputs ~named] is the format that [path] names. The program
+    ends with a usage error if there is no such format, if [path] is empty, or
+    if it is one of the files [inputs], which messages call [named]. *)

@@ -39,16 +39,16 @@ let read_at_most limit channel =
   in
   read ()
 
-let read path =
+let read_text path =
   if path = "-" then (
     In_channel.set_binary_mode stdin true;
     read_at_most max_size stdin)
   else In_channel.with_open_bin path (read_at_most max_size)
 
-let load path =
+let read path =
   let file = if path = "-" then "<standard input>" else path in
-  match read path with
-  | Some text -> parse (Source.make ~name:file text)
+  match read_text path with
+  | Some text -> Ok (Source.make ~name:file text)
   | None -> too_large file
   | exception Sys_error reason ->
       (* the system's message starts with the path, which the error names *)
@@ -60,6 +60,8 @@ let load path =
         else reason
       in
       Error [ Scene_error.unreadable ~file reason ]
+
+let load path = Result.bind (read path) parse
 
 (* {1 Printing} *)
 

@@ -9,10 +9,13 @@ val parse : Source.t -> (Scene.t, Scene_error.t list) result
     whatever the bytes. More of them than {!max_size} are an error, without a
     place. *)
 
+val read : string -> (Source.t, Scene_error.t list) result
+(** [read path] is the text of the file at [path], or of standard input if
+    [path] is ["-"]. A file that cannot be read, or is too large, is an error.
+*)
+
 val load : string -> (Scene.t, Scene_error.t list) result
-(** [load path] is {!parse} of the file at [path], or of standard input if
-    [path] is ["-"]. A file that cannot be read, or is too large, is an error
-    too. *)
+(** [load path] is {!parse} of {!read}[ path]. *)
 
 val max_size : int
 (** [max_size] is 2^31 - 1 bytes, almost 2 GiB. *)

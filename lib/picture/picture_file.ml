@@ -27,15 +27,8 @@ let bmp_bytes ~width ~height =
   let row = Float.ceil (0.75 *. float_of_int width) *. 4. in
   (row *. float_of_int height) +. 55.
 
-let check_size format ~width ~height =
-  let bytes = 3. *. float_of_int width *. float_of_int height in
-  if bytes > float_of_int most_bytes then
-    Error
-      (Printf.sprintf
-         "a picture of %d x %d pixels would take %.1f GiB of memory; the limit \
-          is %d GiB"
-         width height (bytes /. 0x1p30) (most_bytes lsr 30))
-  else if format = Png && Int.max width height > longest_png_side then
+let check_format format ~width ~height =
+  if format = Png && Int.max width height > longest_png_side then
     Error
       (Printf.sprintf
          "a PNG of %d x %d pixels is too large; the limit is %d a side. Use \
@@ -48,6 +41,16 @@ let check_size format ~width ~height =
           Use .ppm"
          width height)
   else Ok ()
+
+let check_size format ~width ~height =
+  let bytes = 3. *. float_of_int width *. float_of_int height in
+  if bytes > float_of_int most_bytes then
+    Error
+      (Printf.sprintf
+         "a picture of %d x %d pixels would take %.1f GiB of memory; the limit \
+          is %d GiB"
+         width height (bytes /. 0x1p30) (most_bytes lsr 30))
+  else check_format format ~width ~height
 
 (* {1 Writing} *)
 
@@ -79,12 +82,11 @@ let check_whole format path =
   if format = Png && not (is_whole ()) then
     raise (Sys_error "no space left on the device?")
 
-let write_whole format picture path =
+let write format picture path =
   write_file format path picture;
   check_whole format path
 
-let save format ~path picture =
-  Atomic_file.save ~path (write_whole format picture)
+let save format ~path picture = Atomic_file.save ~path (write format picture)
 
 let output format channel picture =
-  Atomic_file.output channel (write_whole format picture)
+  Atomic_file.output channel (write format picture)

@@ -18,6 +18,10 @@ val check_size : format -> width:int -> height:int -> (unit, string) result
     into memory as far as raylab goes, 4 GiB, and into [format], or a message
     that says why not. *)
 
+val check_format : format -> width:int -> height:int -> (unit, string) result
+(** [check_format format ~width ~height] is {!check_size} without the limit of
+    memory: for a picture that is not in memory as a whole. *)
+
 val save : format -> path:string -> Picture.t -> (unit, string) result
 (** [save format ~path picture] writes [picture] to [path], so that the file
     appears whole or not at all; see {!Atomic_file.save}. It is checked before
@@ -26,3 +30,7 @@ val save : format -> path:string -> Picture.t -> (unit, string) result
 val output : format -> out_channel -> Picture.t -> (unit, string) result
 (** [output format channel picture] writes [picture] to [channel], in binary
     mode, and flushes it. *)
+
+val write : format -> Picture.t -> string -> unit
+(** [write format picture path] is how {!save} fills a new file: for
+    {!Atomic_file.save}, as which it fails. *)

@@ -59,7 +59,6 @@ It is what the scene would show if it said so itself.
   60 1
   $ rows 0 39
   60 40
-  $ cmp all.ppm rows.ppm
 
 They are rows of the size asked for, not of the scene's.
 

@@ -25,7 +25,7 @@ Commands: none, unknown, misspelt, too many scenes.
   raylab: unknown command 'chek', did you mean 'check'?
   [124]
   $ usage no_such_command_or_file
-  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'render', 'repl' or 'view'.
+  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'join', 'render', 'repl', 'slurm' or 'view'.
   [124]
   $ usage render
   raylab: required argument SCENE is missing
@@ -199,11 +199,17 @@ Help and version go to standard output. A version is no place-holder.
          explain [OPTION]… SCENE X,Y…
              say why pixels have their colours
   
+         join [--output=OUT] [--quiet] [OPTION]… PART…
+             put bands of a picture together
+  
          render [OPTION]… SCENE
              render a scene to a picture file
   
          repl [OPTION]… [SCENE] [SCRIPT]
              explore a scene at OCaml's prompt
+  
+         slurm [OPTION]… SCENE
+             render a picture in bands, on a cluster
   
          view [OPTION]… SCENE
              show a scene in a window
@@ -233,7 +239,8 @@ Help and version go to standard output. A version is no place-holder.
   
          --rows=A-B
              Render only rows A-B, both included, counted from 0 at the top.
-             The picture holds just these rows.
+             The picture holds just these rows, and says in its file where they
+             belong: raylab join puts such bands together.
   
          --show
              Then show the picture in a window, as raylab view does. Without a
@@ -261,10 +268,11 @@ Help and version go to standard output. A version is no place-holder.
   
          0   on success.
   
-         1   if the scene is in error or cannot be read.
+         1   if the scene is in error or cannot be read, or if bands do not
+             make a picture.
   
-         2   if a picture or other output could not be written, or not shown
-             for want of a display.
+         2   if a picture or other output could not be written, not shown for
+             want of a display, or a job not submitted.
   
          124 if the command line is wrong.
   
@@ -315,7 +323,8 @@ Help and version go to standard output. A version is no place-holder.
   
          --rows=A-B
              Render only rows A-B, both included, counted from 0 at the top.
-             The picture holds just these rows.
+             The picture holds just these rows, and says in its file where they
+             belong: raylab join puts such bands together.
   
          --show
              Then show the picture in a window, as raylab view does. Without a
@@ -343,10 +352,11 @@ Help and version go to standard output. A version is no place-holder.
   
          0   on success.
   
-         1   if the scene is in error or cannot be read.
+         1   if the scene is in error or cannot be read, or if bands do not
+             make a picture.
   
-         2   if a picture or other output could not be written, or not shown
-             for want of a display.
+         2   if a picture or other output could not be written, not shown for
+             want of a display, or a job not submitted.
   
          124 if the command line is wrong.
   
@@ -390,10 +400,11 @@ Help and version go to standard output. A version is no place-holder.
   
          0   on success.
   
-         1   if the scene is in error or cannot be read.
+         1   if the scene is in error or cannot be read, or if bands do not
+             make a picture.
   
-         2   if a picture or other output could not be written, or not shown
-             for want of a display.
+         2   if a picture or other output could not be written, not shown for
+             want of a display, or a job not submitted.
   
          124 if the command line is wrong.
   

@@ -74,7 +74,7 @@ has_size() { [ "$(size)" = "$1" ]; }
 # [picture SCENE OPTIONS...] is what raylab renders, as such bytes.
 picture() {
   raylab render "$@" -q -o picture.ppm &&
-    tail -c $((3 * $(sed -n 3p picture.ppm | tr ' ' '*'))) picture.ppm
+    tail -c $((3 * $(grep -a -m 1 '^[0-9]' picture.ppm | tr ' ' '*'))) picture.ppm
 }
 
 said() { grep -q -- "$1" out; }

@@ -1,0 +1,68 @@
+open Cmdliner
+open Raylab_band
+
+let or_write_error = function
+  | Ok () -> ()
+  | Error message -> Command.write_error message
+
+let join parts out quiet () =
+  let format = Output.format out ~inputs:parts ~named:"one of the bands" in
+  let join =
+    match Join.check parts with
+    | Ok join -> join
+    | Error messages -> Command.refuse messages
+  in
+  let { Band.width; height; _ } = Join.whole join in
+  or_write_error (Join.check_size format ~width ~height);
+  let written =
+    if out = "-" then Join.output join format stdout
+    else Join.save join format ~path:out
+  in
+  match written with
+  | Ok () -> if out <> "-" && not quiet then Command.say "wrote %s" out
+  | Error (Unreadable message) -> Command.refuse [ message ]
+  | Error (Unwritable message) -> Command.write_error message
+
+let parts =
+  let doc =
+    "The files of the bands, which $(b,raylab render --rows) wrote, in any \
+     order and format."
+  in
+  Arg.(non_empty & pos_all string [] & info [] ~docv:"PART" ~doc)
+
+let out =
+  let doc =
+    "Write the picture to $(docv), whose extension says in which format: \
+     $(b,.bmp), $(b,.png) or $(b,.ppm); without extension it is BMP. $(b,-) is \
+     standard output, in BMP. A picture that is already there is replaced."
+  in
+  Arg.(
+    required & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+
+let quiet =
+  let doc = "Do not print where the picture went." in
+  Arg.(value & flag & info [ "q"; "quiet" ] ~doc)
+
+let cmd =
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Puts bands together, and writes the picture that $(b,raylab render) \
+         would have written at once, byte for byte. It appears whole or not at \
+         all.";
+      `P
+        "Every band says in its file where it belongs and what it is part of, \
+         and has a checksum. Nothing is written, and what is wrong is told, if \
+         rows are missing, files are damaged, bands are of another scene, \
+         size, colour or version of raylab, or bands overlap and differ. Bands \
+         that overlap and agree may be given.";
+      `P
+        "The bands are read piece by piece, whatever their size. Memory is \
+         needed for a whole band only if it is a PNG, and for the whole \
+         picture only if $(i,OUT) is a PNG.";
+    ]
+  in
+  Cmd.v
+    (Command.info "join" ~doc:"put bands of a picture together" man)
+    (Command.run Term.(const join $ parts $ out $ quiet))

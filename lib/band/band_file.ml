@@ -1,0 +1,146 @@
+open Raylab_picture
+
+type form = Uncompressed of Uncompressed.t | Png
+type t = { path : string; band : Band.t; form : form; start : int }
+
+exception Unreadable of string
+
+let path file = file.path
+let band file = file.band
+
+(* The system's messages start with the path, or do not name it. *)
+let message path reason =
+  let prefix = path ^ ": " in
+  if String.starts_with ~prefix reason then reason else prefix ^ reason
+
+let unreadable path reason = raise (Unreadable (message path reason))
+
+(* [reading path f] is [f ()], which only reads. *)
+let reading path f =
+  match f () with
+  | result -> result
+  | exception Sys_error reason -> unreadable path reason
+  | exception End_of_file -> unreadable path "the file ends too early"
+
+let uncompressed_rows file format channel ~first ~count =
+  let { Band.whole = { width; _ }; first = top; last } = file.band in
+  let stride = Uncompressed.stride format ~width in
+  let before =
+    if Uncompressed.lowest_first format then last - (first + count - 1)
+    else first - top
+  in
+  let at = file.start + (before * stride) in
+  let bytes = Bytes.create (count * stride) in
+  reading file.path (fun () ->
+      In_channel.seek channel (Int64.of_int at);
+      really_input channel bytes 0 (count * stride));
+  Uncompressed.decode format ~width bytes
+
+let load_png { path; band; _ } =
+  match Png.load path [] with
+  | Images.Rgb24 image
+    when image.width = band.whole.width && image.height = Band.rows band ->
+      Rgb24.dump image
+  | _ | (exception (Failure _ | Sys_error _ | Images.Wrong_file_type)) ->
+      unreadable path "the band is damaged: its pixels cannot be unpacked"
+
+let with_rows file f =
+  match file.form with
+  | Uncompressed format ->
+      let channel = reading file.path (fun () -> open_in_bin file.path) in
+      Fun.protect
+        ~finally:(fun () -> close_in_noerr channel)
+        (fun () -> f (uncompressed_rows file format channel))
+  | Png ->
+      let { Band.whole = { width; _ }; first; _ } = file.band in
+      f (Rows.of_bytes ~width ~top:first (load_png file))
+
+(* {1 Checking} *)
+
+let no_band =
+  "not a band, or its label is damaged: raylab render --rows writes bands"
+
+let damaged what = Error ("the band is damaged: " ^ what)
+
+(* The headers, which hold the label, are smaller. *)
+let most_before_pixels = 512
+
+let start_of channel =
+  let start = Bytes.create most_before_pixels in
+  let rec fill n =
+    match In_channel.input channel start n (most_before_pixels - n) with
+    | 0 -> Bytes.sub_string start 0 n
+    | count -> fill (n + count)
+  in
+  fill 0
+
+let forms =
+  [
+    (Uncompressed Uncompressed.Bmp, Uncompressed.label Bmp);
+    (Uncompressed Ppm, Uncompressed.label Ppm);
+    (Png, Png_label.find);
+  ]
+
+let find_label start =
+  List.find_map
+    (fun (form, find) ->
+      Option.bind (find start) Band.of_label
+      |> Option.map (fun (band, crc) -> (form, band, crc)))
+    forms
+
+let ( let* ) = Result.bind
+
+(* [check_frame] is about everything but the pixels, and where they start. *)
+let check_frame channel form start band crc =
+  let width = band.Band.whole.width and height = Band.rows band in
+  let* () = Picture_file.check_size Ppm ~width ~height in
+  let length = Int64.to_int (In_channel.length channel) in
+  match form with
+  | Uncompressed format ->
+      let label = Band.with_checksum band crc in
+      let header = Uncompressed.header format ~label ~width ~height in
+      let before = String.length header in
+      let whole = before + (Uncompressed.stride format ~width * height) in
+      if not (String.starts_with ~prefix:header start) then
+        damaged "its header is not what its label says"
+      else if length <> whole then
+        damaged (Printf.sprintf "it has %d bytes instead of %d" length whole)
+      else Ok before
+  | Png ->
+      let* () = Picture_file.check_size Png ~width ~height in
+      (* asked before all of it is read: deflate adds less than that *)
+      let most = (2 * ((3 * width) + 1) * height) + (1 lsl 20) in
+      In_channel.seek channel 0L;
+      if
+        length <= most
+        && Png_label.is_whole (In_channel.input_all channel) ~width ~height
+      then Ok 0
+      else damaged "not all of its parts are there and right"
+
+let checksum file =
+  let { Band.whole = { width; _ }; first; last } = file.band in
+  with_rows file (fun rows ->
+      Seq.fold_left
+        (fun crc (first, count) -> Crc32.add_bytes crc (rows ~first ~count))
+        (Band.checksum file.band)
+        (Rows.pieces ~width ~first ~last))
+
+let check_exn path =
+  let* file, crc =
+    reading path (fun () ->
+        In_channel.with_open_bin path (fun channel ->
+            let start = start_of channel in
+            match find_label start with
+            | None -> Error no_band
+            | Some (form, band, crc) ->
+                let* start = check_frame channel form start band crc in
+                Ok ({ path; band; form; start }, crc)))
+  in
+  if Crc32.to_hex (checksum file) = crc then Ok file
+  else damaged "its pixels do not have the checksum of its label"
+
+let check path =
+  match check_exn path with
+  | Ok file -> Ok file
+  | Error reason -> Error (message path reason)
+  | exception Unreadable message -> Error message

@@ -1,0 +1,137 @@
+open Raylab_tracer
+open Raylab_picture
+
+type t = { whole : Band.whole; pieces : Band_file.t Cover.piece list }
+
+let whole join = join.whole
+
+(* {1 Checking} *)
+
+let ( let* ) = Result.bind
+let none_or_errors value = function [] -> Ok value | errors -> Error errors
+
+let check_files paths =
+  let files, errors =
+    List.partition_map
+      (fun path ->
+        match Band_file.check path with
+        | Ok file -> Left file
+        | Error message -> Right message)
+      paths
+  in
+  none_or_errors files errors
+
+let check_wholes whole one files =
+  let differing file =
+    Band.difference whole (Band_file.band file).whole
+    |> Option.map
+         (Printf.sprintf "%s and %s are not of one picture: %s"
+            (Band_file.path one) (Band_file.path file))
+  in
+  none_or_errors () (List.filter_map differing files)
+
+let check_missing missing =
+  let rows (first, last) =
+    if first = last then Printf.sprintf "row %d is missing" first
+    else Printf.sprintf "rows %d-%d are missing" first last
+  in
+  none_or_errors () (List.map rows missing)
+
+(* [difference ~width piece file] is the first row at which [file] differs from
+   [piece], which has all of its rows [piece.first] to [piece.last]. *)
+let difference ~width (piece : _ Cover.piece) file =
+  Band_file.with_rows piece.part (fun rows ->
+      Band_file.with_rows file (fun others ->
+          let differs first =
+            not (Bytes.equal (rows ~first ~count:1) (others ~first ~count:1))
+          in
+          let in_piece (first, count) =
+            if Bytes.equal (rows ~first ~count) (others ~first ~count) then None
+            else Seq.find differs (Seq.take count (Seq.ints first))
+          in
+          Seq.find_map in_piece
+            (Rows.pieces ~width ~first:piece.first ~last:piece.last)))
+
+(* Bands that agree with the pieces agree with each other. *)
+let check_overlaps width pieces files =
+  let check file =
+    let { Band.first; last; _ } = Band_file.band file in
+    Cover.within ~first ~last pieces
+    |> List.filter (fun (piece : _ Cover.piece) -> piece.part != file)
+    |> List.filter_map (fun (piece : _ Cover.piece) ->
+           difference ~width piece file
+           |> Option.map
+                (Printf.sprintf "%s and %s overlap, and differ in row %d"
+                   (Band_file.path piece.part)
+                   (Band_file.path file)))
+  in
+  none_or_errors () (List.concat_map check files)
+
+let check paths =
+  let* files = check_files paths in
+  match files with
+  | [] -> Error [ "there are no bands to join" ]
+  | one :: others ->
+      let whole = (Band_file.band one).whole in
+      let* () = check_wholes whole one others in
+      let piece file =
+        let { Band.first; last; _ } = Band_file.band file in
+        { Cover.part = file; first; last }
+      in
+      let pieces, missing =
+        Cover.pieces ~height:whole.height (List.map piece files)
+      in
+      let* () = check_missing missing in
+      let* () =
+        try check_overlaps whole.width pieces files
+        with Band_file.Unreadable message -> Error [ message ]
+      in
+      Ok { whole; pieces }
+
+let check_size format ~width ~height =
+  match format with
+  | Picture_file.Png -> Picture_file.check_size Png ~width ~height
+  | Bmp | Ppm -> Picture_file.check_format format ~width ~height
+
+(* {1 Writing} *)
+
+(* [iter ~lowest_first f join] is {!Rows.iter} of the whole picture. *)
+let iter ~lowest_first f { whole = { width; _ }; pieces } =
+  List.iter
+    (fun { Cover.part; first; last } ->
+      Band_file.with_rows part (Rows.iter ~lowest_first ~width ~first ~last f))
+    (if lowest_first then List.rev pieces else pieces)
+
+let write_uncompressed format join =
+  let { Band.width; height; _ } = join.whole in
+  Uncompressed.write format ~label:"" ~width ~height (fun ~lowest_first emit ->
+      iter ~lowest_first (fun ~first:_ -> emit) join)
+
+let write_png join path =
+  let { Band.width; height; _ } = join.whole in
+  let picture = Picture.create ~width ~height in
+  let place ~first rgb =
+    let at = 3 * width * first in
+    Bytes.blit rgb 0 (Picture.to_rgb picture) at (Bytes.length rgb)
+  in
+  iter ~lowest_first:false place join;
+  Picture_file.write Png picture path
+
+let write = function
+  | Picture_file.Bmp -> write_uncompressed Bmp
+  | Ppm -> write_uncompressed Ppm
+  | Png -> write_png
+
+type failure = Unreadable of string | Unwritable of string
+
+let failing written =
+  match written () with
+  | Ok () -> Ok ()
+  | Error message -> Error (Unwritable message)
+  | exception Band_file.Unreadable message -> Error (Unreadable message)
+
+let save join format ~path =
+  failing (fun () -> Atomic_file.save ~path (write format join))
+
+let output join format channel =
+  failing (fun () -> Atomic_file.output channel (write format join))

@@ -1,0 +1,37 @@
+(** Bands become the whole picture.
+
+    Memory is needed for a piece of a band, and for a band that is a PNG; only
+    to write a PNG is it needed for the whole picture. *)
+
+open Raylab_picture
+
+type t
+(** The type for bands that make a picture: all files are whole, they belong
+    together, no row is missing, and where they overlap they agree. *)
+
+val check : string list -> (t, string list) result
+(** [check paths] is the picture that the bands in the files [paths] make,
+    whatever their order, or messages that name the files, or the rows, that
+    keep it from being one. Every file is read. *)
+
+val whole : t -> Band.whole
+(** [whole join] is which picture it is. *)
+
+val check_size :
+  Picture_file.format -> width:int -> height:int -> (unit, string) result
+(** [check_size format ~width ~height] is whether a picture of this size can be
+    joined and written in [format], or a message that says why not. *)
+
+type failure =
+  | Unreadable of string  (** a band has changed since it was checked *)
+  | Unwritable of string
+      (** the message of {!Raylab_picture.Atomic_file.save} *)
+
+val save : t -> Picture_file.format -> path:string -> (unit, failure) result
+(** [save join format ~path] writes the picture to [path]. It is the file that
+    {!Raylab_picture.Picture_file.save} makes of the picture rendered at once,
+    byte for byte. *)
+
+val output : t -> Picture_file.format -> out_channel -> (unit, failure) result
+(** [output join format channel] writes it to [channel]; see
+    {!Raylab_picture.Picture_file.output}. *)
