@@ -33,7 +33,7 @@ val difference : whole -> whole -> string option
     A label is a line of ASCII that travels in the file of a band, such as
 
     {v
-raylab-band 1 rows 10-19 of 60x40 rgb scene 0cc175b9c0f1b6a831c399e269772661 raylab 0.1.0 crc32 e8b7be43
+    raylab-band 1 rows 10-19 of 60x40 rgb scene 0cc175b9c0f1b6a831c399e269772661 raylab 0.1.0 crc32 e8b7be43
     v}
 
     [1] is the version of labels, [rgb] may be [grey], and the checksum at the
