@@ -8,13 +8,8 @@ let distance u v = Vec3.length (Vec3.sub u v)
 
 (* {1 What is near} *)
 
-let spheres (scene : Scene.t) =
-  List.filter_map
-    (fun (o : Object.t) ->
-      match o.shape with
-      | Sphere sphere -> Some (Sphere.centre sphere, sphere.radius)
-      | Plane _ -> None)
-    scene.objects
+let balls (scene : Scene.t) =
+  List.filter_map (fun (o : Object.t) -> Shape.ball o.shape) scene.objects
 
 let hits e =
   List.map (fun ((h : Explain.surface_hit), _) -> h.hit.point) (Path.hits e)
@@ -26,13 +21,13 @@ let middle = function
       List.nth sorted ((List.length sorted - 1) / 2)
 
 (* How far from the eye something may be. *)
-let range (scene : Scene.t) spheres hits =
+let range (scene : Scene.t) balls hits =
   let { Camera.canvas_width = w; canvas_height = h; depth; _ } = scene.camera in
   let eye = Camera.eye scene.camera in
   let usual = 2. *. Float.max depth (Float.max w h) in
   let distances =
     List.filter Float.is_finite
-      (List.map (distance eye) (hits @ List.map fst spheres))
+      (List.map (distance eye) (hits @ List.map Sphere.centre balls))
   in
   Float.max usual (3. *. middle distances)
 
@@ -72,8 +67,8 @@ let widen { low; high } =
 let fit (scene : Scene.t) e =
   let { Camera.canvas_width = w; canvas_height = h; _ } = scene.camera in
   let eye = Camera.eye scene.camera in
-  let spheres = spheres scene and hits = hits e in
-  let range = range scene spheres hits in
+  let balls = balls scene and hits = hits e in
+  let range = range scene balls hits in
   let is_near point = distance eye point <= range in
   let canvas =
     [ Vec3.make (w /. -2.) (h /. -2.) 0.; Vec3.make (w /. 2.) (h /. 2.) 0. ]
@@ -84,9 +79,10 @@ let fit (scene : Scene.t) e =
         | Point position -> Some position
         | Directional _ -> None)
       scene.lights
-  and extents (centre, radius) =
-    if distance eye centre +. radius <= range then
-      let r = Vec3.make radius radius radius in
+  and extents (ball : Sphere.t) =
+    let centre = Sphere.centre ball in
+    if distance eye centre +. ball.radius <= range then
+      let r = Vec3.make ball.radius ball.radius ball.radius in
       [ Vec3.sub centre r; Vec3.add centre r ]
     else []
   in
@@ -94,4 +90,4 @@ let fit (scene : Scene.t) e =
     (around
        ((eye :: canvas)
        @ List.filter is_near (hits @ lights)
-       @ List.concat_map extents spheres))
+       @ List.concat_map extents balls))

@@ -19,31 +19,28 @@ let text s : Yojson.Safe.t = `String s
 
 (* {1 Scenes} *)
 
-let shape : Shape.t -> Yojson.Safe.t = function
-  | Sphere sphere ->
-      `Assoc
-        [
-          ("kind", text "sphere");
-          ("centre", vector (Sphere.centre sphere));
-          ("radius", number sphere.radius);
-        ]
-  | Plane { point; normal } ->
-      `Assoc
-        [
-          ("kind", text "plane");
-          ("point", vector point);
-          ("normal", direction normal);
-        ]
+let shape shape : Yojson.Safe.t =
+  let part (name, part) =
+    match (part : Part.t) with
+    | Number x -> (name, number x)
+    | Vector v -> (name, vector v)
+  in
+  `Assoc (("kind", text (Shape.name shape)) :: List.map part (Shape.parts shape))
 
-let rec surface : Surface.t -> Yojson.Safe.t = function
-  | Diffusive c -> `Assoc [ ("kind", text "diffusive"); ("color", color c) ]
-  | Reflective -> `Assoc [ ("kind", text "reflective") ]
-  | Luminous c -> `Assoc [ ("kind", text "luminous"); ("color", color c) ]
-  | Mixed parts ->
-      let part (weight, part) =
-        `Assoc [ ("weight", number weight); ("surface", surface part) ]
-      in
-      `Assoc [ ("kind", text "mixed"); ("parts", `List (List.map part parts)) ]
+let rec surface s : Yojson.Safe.t =
+  let weighted (weight, s) =
+    `Assoc [ ("weight", number weight); ("surface", surface s) ]
+  and part (name, part) =
+    match (part : Surface.part) with
+    | Number x -> (name, number x)
+    | Color c -> (name, color c)
+  in
+  let parts =
+    match (s : Surface.t) with
+    | Mixed parts -> [ ("parts", `List (List.map weighted parts)) ]
+    | simple -> List.map part (Surface.parts simple)
+  in
+  `Assoc (("kind", text (Surface.name s)) :: parts)
 
 let object_ n (o : Object.t) : Yojson.Safe.t =
   `Assoc

@@ -23,17 +23,17 @@ HIT   = { "object": OBJECT,
           "reflection": RAY or null }     null if the mirror is 0
 
 OBJECT  = { "number": INT, "line": INT or null,
-            "shape": { "kind": "sphere",
-                       "centre": VECTOR, "radius": NUMBER }
-                  or { "kind": "plane",
-                       "point": VECTOR, "normal": VECTOR },
+            "shape": { "kind": WORD, PART: NUMBER or VECTOR, ... },
             "surface": SURFACE }          as it is written
 
-SURFACE = { "kind": "diffusive", "color": COLOR }
-       or { "kind": "reflective" }
-       or { "kind": "luminous", "color": COLOR }
+SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
        or { "kind": "mixed",
             "parts": [{ "weight": NUMBER, "surface": SURFACE }, ...] }
+
+WORD    = what the scene language calls it
+PART    = what it takes there, in that order, by name: a "sphere" has "centre"
+          and "radius", a "plane" has "point" and "normal"; "diffusive" and
+          "luminous" have "color"
 
 LIGHT   = { "number": INT, "line": INT or null,
             "kind": "directional" or "spherical",

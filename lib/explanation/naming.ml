@@ -13,34 +13,36 @@ let by_number number (o : Object.t) =
 
 type paint = { word : string; part : float }
 
+let add_paint weight paints color =
+  let word = Color_word.of_color color in
+  let is_same paint = paint.word = word in
+  if weight = 0. then paints
+  else if List.exists is_same paints then
+    let grow paint =
+      if is_same paint then
+        { paint with part = Saturate.limit (paint.part +. weight) }
+      else paint
+    in
+    List.map grow paints
+  else { word; part = weight } :: paints
+
 (* The colours that a surface is painted with, in the order in which they are
    written, one for each word. The last one is the first of the list. *)
 let rec add_paints weight paints = function
-  | Surface.Reflective | Luminous _ -> paints
-  | Mixed parts ->
+  | Surface.Mixed parts ->
       let add paints (part, surface) =
         add_paints (Saturate.limit (weight *. part)) paints surface
       in
       List.fold_left add paints parts
-  | Diffusive c ->
-      let word = Color_word.of_color c in
-      let is_same paint = paint.word = word in
-      if weight = 0. then paints
-      else if List.exists is_same paints then
-        let grow paint =
-          if is_same paint then
-            { paint with part = Saturate.limit (paint.part +. weight) }
-          else paint
-        in
-        List.map grow paints
-      else { word; part = weight } :: paints
+  | simple ->
+      Option.fold ~none:paints ~some:(add_paint weight paints)
+        (Surface.paint simple)
 
 let paints surface = List.rev (add_paints 1. [] surface)
 
 let rec starts_with_mirror = function
-  | Surface.Reflective -> true
-  | Mixed ((_, first) :: _) -> starts_with_mirror first
-  | Diffusive _ | Luminous _ | Mixed [] -> false
+  | Surface.Mixed ((_, first) :: _) -> starts_with_mirror first
+  | surface -> (Surface.meaning surface).mirror > 0.
 
 let glow emission =
   match Color_word.of_glow emission with

@@ -1,3 +1,4 @@
+open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 
@@ -44,9 +45,9 @@ let faces_away (h : Explain.surface_hit) lights =
     | [] -> []
     | lights -> [ say (Words.lights (List.map fst lights)) ]
   in
-  match h.object_.shape with
-  | Sphere _ -> clause (fun lights -> "facing away from " ^ lights) lights
-  | Plane _ ->
+  match Shape.outline h.object_.shape with
+  | Ball _ -> clause (fun lights -> "facing away from " ^ lights) lights
+  | Endless _ | Patch _ ->
       let behind, beside =
         List.partition (fun (_, cosine) -> cosine < 0.) lights
       in
@@ -96,7 +97,8 @@ let clauses (h : Explain.surface_hit) =
 let rec describe ~depth ~article (path : Explain.t list) =
   match path with
   | { outcome = Hit h; _ } :: rest ->
-      let look = article (Naming.by_look h.hit.number h.object_) in
+      let seen = { h.object_ with surface = h.surface } in
+      let look = article (Naming.by_look h.hit.number seen) in
       let clauses = clauses h in
       String.concat ", " (look :: clauses) ^ shows ~depth h rest
   | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)

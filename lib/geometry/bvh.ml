@@ -2,8 +2,8 @@ open Numbers
 
 type t = {
   tree : Bvh_tree.t;
-  planes : float array; (* point and normal: six numbers a plane *)
-  plane_numbers : int array;
+  endless : Shape.t array;
+  endless_numbers : int array;
 }
 
 (* The distance at which a ray leaves a box is made larger by this part: more
@@ -42,29 +42,26 @@ let[@inline always] enters (boxes : Bvh_tree.boxes) at best ox oy oz x_scale
         (in_x > out_z || in_z > out_x || in_y > out_z || in_z > out_y
        || in_z > best || out_z < 0.)
 
-let[@inline] plane_distance bvh k ray =
-  let p = bvh.planes and at = 6 * k in
-  Plane.nearest_raw p.%(at)
-    p.%(at + 1)
-    p.%(at + 2)
-    p.%(at + 3)
-    p.%(at + 4)
-    p.%(at + 5)
-    ray
+let[@inline] endless_distance bvh k ray =
+  Shape.nearest_raw (Array.unsafe_get bvh.endless k) ray
 
-let[@inline] sphere_distance (tree : Bvh_tree.t) place ray =
+let[@inline] leaf_blocks (tree : Bvh_tree.t) place (ray : Raw_ray.t) =
   let s = tree.leaves.spheres and at = 4 * place in
-  Sphere.nearest_raw s.%(at) s.%(at + 1) s.%(at + 2) s.%(at + 3) ray
+  let radius = s.%(at + 3) in
+  if radius < infinity then
+    Sphere.nearest_raw s.%(at) s.%(at + 1) s.%(at + 2) radius ray < ray.reach
+  else Bvh_leaves.other_distance tree.leaves place ray < ray.reach
 
 (* Goes through the tree, the nearer child of each node first, with the other
-   children on [stack]. It narrows the ray's reach to the nearest hit on a sphere
-   and is that sphere's place among the leaves, or -1. With [any] it stops at the
-   first hit that it meets. [plane] is the number of a plane that is already hit
-   at the end of the reach. *)
-let[@inline always] descend ~any tree stack plane (ray : Raw_ray.t) =
+   children on [stack]. It narrows the ray's reach to the nearest hit on a leaf's
+   shape and is its place among the leaves, or -1. With [any] it stops at the
+   first hit that it meets. [endless] is the number of a shape outside the tree
+   that is already hit at the end of the reach. [others] is whether leaves may
+   have shapes that are no spheres. *)
+let[@inline always] descend ~any ~others tree stack endless (ray : Raw_ray.t) =
   let { Bvh_tree.boxes; links; leaves; root } = tree in
-  let { Bvh_leaves.spheres; numbers } = leaves in
-  let best = ref ray.reach and found = ref (-1) and number = ref plane in
+  let { Bvh_leaves.spheres; numbers; _ } = leaves in
+  let best = ref ray.reach and found = ref (-1) and number = ref endless in
   let ox = ray.ox and oy = ray.oy and oz = ray.oz in
   let x_scale = 1. /. ray.dx
   and y_scale = 1. /. ray.dy
@@ -115,11 +112,18 @@ let[@inline always] descend ~any tree stack plane (ray : Raw_ray.t) =
         let z = spheres.%(at + 2) and radius = spheres.%(at + 3) in
         let middle = Sphere.middle x y z ray in
         let discriminant = Sphere.discriminant x y z radius ray middle in
-        (* nearly all spheres are missed: that is told from hits first *)
-        if discriminant >= 0. then
+        (* Nearly all spheres are missed: that is told from hits first. NaN
+           may hide another shape, and is no hit on a sphere. *)
+        if not (discriminant < 0.) then
           let half = sqrt discriminant in
           let near = middle -. half in
-          let t = if near > 0. then near else middle +. half in
+          let t =
+            if others && radius = infinity then
+              (* the product lets [t] stay in a register *)
+              1. *. Bvh_leaves.other_distance leaves place ray
+            else if near > 0. then near
+            else middle +. half
+          in
           let candidate = Array.unsafe_get numbers place in
           if t > 0. && (t < !best || (t = !best && candidate < !number)) then (
             best := t;
@@ -134,60 +138,69 @@ let[@inline always] descend ~any tree stack plane (ray : Raw_ray.t) =
   ray.reach <- !best;
   !found
 
+(* Apart from the loop for spheres: a call inside that, even one that is never
+   made, costs it 3 %. *)
+
+let[@inline never] nearest_of_all tree stack endless ray =
+  descend ~any:false ~others:true tree stack endless ray
+
+let[@inline never] any_of_all tree stack ray =
+  descend ~any:true ~others:true tree stack Query.no_shape ray
+
+let has_others (tree : Bvh_tree.t) = Array.length tree.leaves.shapes > 0
+
 (* {1 Questions} *)
 
 let nearest bvh stack (ray : Raw_ray.t) =
-  let plane = ref Query.no_shape in
-  for k = 0 to Array.length bvh.plane_numbers - 1 do
-    let t = plane_distance bvh k ray in
+  let endless = ref Query.no_shape in
+  for k = 0 to Array.length bvh.endless - 1 do
+    let t = endless_distance bvh k ray in
     if t < ray.reach then (
       ray.reach <- t;
-      plane := Array.unsafe_get bvh.plane_numbers k)
+      endless := Array.unsafe_get bvh.endless_numbers k)
   done;
-  let place = descend ~any:false bvh.tree stack !plane ray in
-  if place < 0 then !plane else bvh.tree.leaves.numbers.(place)
+  let place =
+    if has_others bvh.tree then nearest_of_all bvh.tree stack !endless ray
+    else descend ~any:false ~others:false bvh.tree stack !endless ray
+  in
+  if place < 0 then !endless else bvh.tree.leaves.numbers.(place)
 
-let rec some_plane_blocks bvh (ray : Raw_ray.t) k =
-  k < Array.length bvh.plane_numbers
-  && (plane_distance bvh k ray < ray.reach || some_plane_blocks bvh ray (k + 1))
+let rec some_endless_blocks bvh (ray : Raw_ray.t) k =
+  k < Array.length bvh.endless
+  && (endless_distance bvh k ray < ray.reach
+     || some_endless_blocks bvh ray (k + 1))
 
 (* How many series of rays have their last blocker remembered. *)
 let max_series = 64
 
-(* Neighbouring points are often in the shadow of the same sphere: the one that
+(* Neighbouring points are often in the shadow of the same shape: the one that
    last blocked a ray of the series is asked first. *)
 let blocked bvh stack last_blockers series (ray : Raw_ray.t) =
   let series = series land (max_series - 1) in
   let last = last_blockers.(series) in
-  (last >= 0 && sphere_distance bvh.tree last ray < ray.reach)
-  || some_plane_blocks bvh ray 0
+  (last >= 0 && leaf_blocks bvh.tree last ray)
+  || some_endless_blocks bvh ray 0
   ||
-  let place = descend ~any:true bvh.tree stack Query.no_shape ray in
+  let place =
+    if has_others bvh.tree then any_of_all bvh.tree stack ray
+    else descend ~any:true ~others:false bvh.tree stack Query.no_shape ray
+  in
   if place >= 0 then last_blockers.(series) <- place;
   place >= 0
 
 (* {1 Building} *)
 
-let planes_of shapes =
-  let plane (number, shape) =
-    match shape with
-    | Shape.Plane plane -> Some (number, plane)
-    | Sphere _ -> None
-  in
-  List.of_seq (Seq.filter_map plane (Array.to_seqi shapes))
-
-let plane_numbers { Plane.point; normal } =
-  let n = (normal :> Vec3.t) in
-  [ point.x; point.y; point.z; n.x; n.y; n.z ]
-
-let index ?(domains = 1) shapes =
-  let planes = planes_of shapes in
+let index ?(domains = 1) ?(quick = true) shapes =
+  let is_endless (_, shape) = Option.is_none (Shape.ball shape) in
+  let endless = Array.of_seq (Seq.filter is_endless (Array.to_seqi shapes))
+  and leaves = Bvh_leaves.of_shapes ~quick shapes in
+  let tree = Bvh_tree.build ~domains leaves in
+  Bvh_leaves.mark_others ~quick leaves;
   let bvh =
     {
-      tree = Bvh_tree.build ~domains (Bvh_leaves.of_shapes shapes);
-      planes =
-        Array.of_list (List.concat_map (fun (_, p) -> plane_numbers p) planes);
-      plane_numbers = Array.of_list (List.map fst planes);
+      tree;
+      endless = Array.map snd endless;
+      endless_numbers = Array.map fst endless;
     }
   in
   fun () ->

@@ -1,13 +1,20 @@
 open Numbers
 
-type t = { spheres : float array; numbers : int array }
+type t = { spheres : float array; numbers : int array; shapes : Shape.t array }
 
-let of_shapes shapes =
-  let is_sphere = function Shape.Sphere _ -> true | Plane _ -> false in
-  let count_sphere n shape = if is_sphere shape then n + 1 else n in
-  let count = Array.fold_left count_sphere 0 shapes in
-  let spheres = Array.make (4 * count) 0. and numbers = Array.make count 0 in
-  let place = ref 0 in
+let of_shapes ~quick shapes =
+  let count = ref 0 and others = ref false in
+  let count_bounded = function
+    | Shape.Sphere _ when quick -> incr count
+    | shape ->
+        if Option.is_some (Shape.ball shape) then (
+          incr count;
+          others := true)
+  in
+  Array.iter count_bounded shapes;
+  let spheres = Array.make (4 * !count) 0.
+  and numbers = Array.make !count 0
+  and place = ref 0 in
   let add number { Sphere.cx; cy; cz; radius } =
     let at = 4 * !place in
     spheres.(at) <- cx;
@@ -17,10 +24,19 @@ let of_shapes shapes =
     numbers.(!place) <- number;
     incr place
   in
-  Array.iteri
-    (fun number -> function Shape.Sphere s -> add number s | Plane _ -> ())
-    shapes;
-  { spheres; numbers }
+  Array.iteri (fun number s -> Option.iter (add number) (Shape.ball s)) shapes;
+  { spheres; numbers; shapes = (if !others then shapes else [||]) }
+
+let mark_others ~quick { spheres; numbers; shapes } =
+  let mark place number =
+    match shapes.(number) with
+    | Shape.Sphere _ when quick -> ()
+    | _ -> spheres.((4 * place) + 3) <- infinity
+  in
+  if Array.length shapes > 0 then Array.iteri mark numbers
+
+let[@inline] other_distance { numbers; shapes; _ } place ray =
+  Shape.nearest_raw shapes.(numbers.(place)) ray
 
 let count { numbers; _ } = Array.length numbers
 let[@inline] centre { spheres; _ } place axis = spheres.%((4 * place) + axis)

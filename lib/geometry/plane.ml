@@ -6,6 +6,11 @@ let make ~(point : Vec3.t) ~normal =
   Number.require Finite "the z of the point" point.z;
   { point; normal }
 
+let name = "plane"
+
+let parts { point; normal } =
+  [ ("point", Part.Vector point); ("normal", Part.Vector (normal :> Vec3.t)) ]
+
 (* The distance at which the line meets the plane. For a parallel line it is
    infinite, or NaN if the line lies in the plane. *)
 let[@inline] distance px py pz nx ny nz (ray : Raw_ray.t) =
@@ -27,3 +32,7 @@ let intersections { point = p; normal } (ray : Ray.t) =
 let nearest { point = p; normal } (ray : Ray.t) =
   let n = (normal :> Vec3.t) in
   nearest_raw p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t)
+
+let pp ppf { point; normal } =
+  Format.fprintf ppf "plane through %a normal %a" Vec3.pp point Direction.pp
+    normal

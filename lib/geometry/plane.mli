@@ -10,6 +10,13 @@ val make : point:Vec3.t -> normal:Direction.t -> t
 
     Raises [Invalid_argument] if a coordinate of [point] is not finite. *)
 
+val name : string
+(** [name] is the scene language's word, ["plane"]. *)
+
+val parts : t -> (string * Part.t) list
+(** [parts plane] is what is written after its word, in that order, each part
+    with its name: ["point"] and ["normal"]. *)
+
 val intersections : t -> Ray.t -> float list
 (** [intersections plane ray] is all [t], negative ones included, for which
     [Ray.at ray t] lies on [plane]: one, or none if the ray is parallel to the
@@ -24,3 +31,6 @@ val nearest_raw :
 (** [nearest_raw px py pz nx ny nz ray] is {!nearest} for the plane through (px,
     py, pz) with the unit normal (nx, ny, nz), for inner loops that keep planes
     as numbers. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints [plane through (0, -1, 0) normal (0, 1, 0)]. *)

@@ -5,11 +5,13 @@ let sphere ~centre ~radius = Sphere (Sphere.make ~centre ~radius)
 let plane ~point ~normal =
   Plane (Plane.make ~point ~normal:(Direction.of_vec3_exn normal))
 
+(* {1 What is hit} *)
+
 let intersections = function
   | Sphere s -> Sphere.intersections s
   | Plane p -> Plane.intersections p
 
-let nearest_raw shape ray =
+let[@inline] nearest_raw shape ray =
   match shape with
   | Sphere { cx; cy; cz; radius } -> Sphere.nearest_raw cx cy cz radius ray
   | Plane { point = p; normal } ->
@@ -18,24 +20,25 @@ let nearest_raw shape ray =
 
 let nearest shape (ray : Ray.t) = nearest_raw shape (ray :> Raw_ray.t)
 
-let normal shape point =
-  match shape with Sphere s -> Sphere.normal s point | Plane p -> p.normal
+let[@inline] normal_raw shape x y z =
+  match shape with
+  | Sphere s -> Sphere.normal s (Vec3.make x y z)
+  | Plane p -> p.normal
 
-let name = function Sphere _ -> "sphere" | Plane _ -> "plane"
+let normal shape { Vec3.x; y; z } = normal_raw shape x y z
+let ball = function Sphere s -> Some s | Plane _ -> None
+
+(* {1 What is told} *)
+
+let name = function Sphere _ -> Sphere.name | Plane _ -> Plane.name
+let parts = function Sphere s -> Sphere.parts s | Plane p -> Plane.parts p
+
+let outline : t -> Outline.t = function
+  | Sphere s -> Ball s
+  | Plane p -> Endless p
 
 let equal a b =
-  match (a, b) with
-  | Sphere a, Sphere b ->
-      Vec3.equal (Sphere.centre a) (Sphere.centre b) && a.radius = b.radius
-  | Plane a, Plane b ->
-      Vec3.equal a.point b.point
-      && Vec3.equal (a.normal :> Vec3.t) (b.normal :> Vec3.t)
-  | (Sphere _ | Plane _), _ -> false
+  let equal_part (_, a) (_, b) = Part.equal a b in
+  name a = name b && List.equal equal_part (parts a) (parts b)
 
-let pp ppf = function
-  | Sphere s ->
-      Format.fprintf ppf "sphere centre %a radius %a" Vec3.pp (Sphere.centre s)
-        Number.pp s.radius
-  | Plane p ->
-      Format.fprintf ppf "plane through %a normal %a" Vec3.pp p.point
-        Direction.pp p.normal
+let pp ppf = function Sphere s -> Sphere.pp ppf s | Plane p -> Plane.pp ppf p

@@ -1,7 +1,10 @@
 (** Shapes: what an object of a scene looks like, without its surface.
 
     A new shape is a module of its own like {!module-Sphere}, a constructor
-    here, and a case in each function below. *)
+    here, and a case in each function below that the compiler asks for; see
+    [doc/adding-a-shape.md]. Nothing else that renders or explains a scene knows
+    which shapes there are, but for the hierarchy and the evaluator, which have
+    a quicker way for spheres. *)
 
 type t = Sphere of Sphere.t | Plane of Plane.t  (** The type for shapes. *)
 
@@ -14,6 +17,8 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
 
     Raises [Invalid_argument] if a coordinate is not finite or [normal] is the
     zero vector. *)
+
+(** {1 What is hit} *)
 
 val intersections : t -> Ray.t -> float list
 (** [intersections shape ray] is all distances [t], in ascending order, at which
@@ -31,8 +36,24 @@ val normal : t -> Vec3.t -> Direction.t
 (** [normal shape point] is the unit normal of [shape] at [point], a point of
     [shape]: outward for a sphere, as given for a plane. *)
 
+val normal_raw : t -> float -> float -> float -> Direction.t
+(** [normal_raw shape x y z] is {!normal} at (x, y, z), for inner loops. *)
+
+val ball : t -> Sphere.t option
+(** [ball shape] is a sphere that holds all of [shape], the smaller the better;
+    [None] if there is none, since [shape] has no end. *)
+
+(** {1 What is told} *)
+
 val name : t -> string
 (** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. *)
+
+val parts : t -> (string * Part.t) list
+(** [parts shape] is what the scene language writes after {!name}, in that
+    order, each part with its name. *)
+
+val outline : t -> Outline.t
+(** [outline shape] is how [shape] is drawn and spoken of. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are the same shape with the same numbers.

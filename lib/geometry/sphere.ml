@@ -7,6 +7,7 @@ let make ~(centre : Vec3.t) ~radius =
   Number.require Positive "the radius" radius;
   { cx = centre.x; cy = centre.y; cz = centre.z; radius }
 
+let name = "sphere"
 let centre s = Vec3.make s.cx s.cy s.cz
 
 (* Where along the ray the point nearest to the centre is. *)
@@ -46,6 +47,13 @@ let intersections { cx; cy; cz; radius } (ray : Ray.t) =
     let half = sqrt discriminant in
     [ middle -. half; middle +. half ]
   else []
+
+let parts s =
+  [ ("centre", Part.Vector (centre s)); ("radius", Part.Number s.radius) ]
+
+let pp ppf s =
+  Format.fprintf ppf "sphere centre %a radius %a" Vec3.pp (centre s) Number.pp
+    s.radius
 
 let y_axis = Direction.of_vec3_exn (Vec3.make 0. 1. 0.)
 let normal s point = Direction.of_vec3_or y_axis (Vec3.sub point (centre s))

@@ -9,6 +9,13 @@ val make : centre:Vec3.t -> radius:float -> t
     Raises [Invalid_argument] if a number is not finite or [radius] is not
     greater than 0. *)
 
+val name : string
+(** [name] is the scene language's word, ["sphere"]. *)
+
+val parts : t -> (string * Part.t) list
+(** [parts sphere] is what is written after its word, in that order, each part
+    with its name: ["centre"] and ["radius"]. *)
+
 val centre : t -> Vec3.t
 (** [centre sphere] is its centre. *)
 
@@ -50,3 +57,6 @@ val normal : t -> Vec3.t -> Direction.t
 val project : t -> Direction.t -> Vec3.t
 (** [project sphere normal] is the point of [sphere] whose outward normal is
     [normal]. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints [sphere centre (0, 0, 6) radius 1]. *)

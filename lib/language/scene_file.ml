@@ -76,32 +76,17 @@ let print_light ppf (light : Light.t) =
     | Directional direction -> vector (direction :> Vec3.t)
     | Point position -> vector position)
 
-let print_shape ppf = function
-  | Shape.Sphere s ->
-      Format.fprintf ppf "sphere %s %s"
-        (vector (Sphere.centre s))
-        (number s.radius)
-  | Plane p ->
-      Format.fprintf ppf "plane %s %s" (vector p.point)
-        (vector (p.normal :> Vec3.t))
+let print_part ppf (_, part) =
+  match (part : Part.t) with
+  | Number x -> Format.fprintf ppf " %s" (number x)
+  | Vector v -> Format.fprintf ppf " %s" (vector v)
 
-let rec print_surface ppf = function
-  | Surface.Diffusive c -> Format.fprintf ppf "diffusive %s" (color c)
-  | Reflective -> Format.pp_print_string ppf "reflective"
-  | Luminous c -> Format.fprintf ppf "luminous %s" (color c)
-  | Mixed parts ->
-      Format.pp_print_string ppf "mixed";
-      print_parts ppf parts
+let print_shape ppf shape =
+  Format.pp_print_string ppf (Shape.name shape);
+  List.iter (print_part ppf) (Shape.parts shape)
 
-(* The last part, which may be a mix of a million mixes, by a tail call. *)
-and print_parts ppf = function
-  | [] -> ()
-  | (weight, surface) :: rest ->
-      Format.fprintf ppf " %s " (number weight);
-      if rest = [] then print_surface ppf surface
-      else (
-        print_surface ppf surface;
-        print_parts ppf rest)
+let print_number ppf x = Format.pp_print_string ppf (number x)
+let print_surface = Surface.pp_with print_number
 
 let print ppf (scene : Scene.t) =
   let { Camera.width; height; canvas_width; canvas_height; depth } =

@@ -73,17 +73,45 @@ let rec meaning = function
       in
       List.fold_left around (meaning last) mixes
 
-let rec map_colors f = function
-  | Diffusive c -> diffusive (f c)
-  | Reflective -> Reflective
-  | Luminous c -> luminous (f c)
+(* [map f surface] is [surface] with [f] applied to each part that is no mix. *)
+let rec map f = function
   | Mixed _ as mix ->
       let mixes, last = unroll [] mix in
-      let map_part (weight, surface) = (weight, map_colors f surface) in
+      let map_part (weight, surface) = (weight, map f surface) in
       let around inner (before, weight) =
         mixed (List.map map_part before @ [ (weight, inner) ])
       in
-      List.fold_left around (map_colors f last) mixes
+      List.fold_left around (map f last) mixes
+  | simple -> f simple
+
+let map_colors f =
+  map (function
+    | Diffusive c -> diffusive (f c)
+    | Luminous c -> luminous (f c)
+    | (Reflective | Mixed _) as same -> same)
+
+let paint = function
+  | Diffusive c -> Some c
+  | Reflective | Luminous _ | Mixed _ -> None
+
+(* {1 Surfaces that depend on the point} *)
+
+let rec varies = function
+  | Diffusive _ | Reflective | Luminous _ -> false
+  | Mixed parts -> some_varies parts
+
+and some_varies = function
+  | [] -> false
+  | [ (_, last) ] -> varies last
+  | (_, surface) :: rest -> varies surface || some_varies rest
+
+let simple_at (_ : Vec3.t) = function
+  | (Diffusive _ | Reflective | Luminous _ | Mixed _) as same -> same
+
+let at surface point =
+  if varies surface then map (simple_at point) surface else surface
+
+(* {1 Forms} *)
 
 let rec equal a b =
   match (a, b) with
@@ -100,22 +128,37 @@ and equal_parts a b =
       weight = weight' && equal surface surface' && equal_parts rest rest'
   | _ -> false
 
-let pp_channels ppf (c : Color.t) =
-  Format.fprintf ppf "%a %a %a" Number.pp c.r Number.pp c.g Number.pp c.b
+let name = function
+  | Diffusive _ -> "diffusive"
+  | Reflective -> "reflective"
+  | Luminous _ -> "luminous"
+  | Mixed _ -> "mixed"
 
-let rec pp ppf = function
-  | Diffusive c -> Format.fprintf ppf "diffusive %a" pp_channels c
-  | Reflective -> Format.pp_print_string ppf "reflective"
-  | Luminous c -> Format.fprintf ppf "luminous %a" pp_channels c
-  | Mixed parts ->
-      Format.pp_print_string ppf "mixed";
-      pp_parts ppf parts
+type part = Number of float | Color of Color.t
 
-and pp_parts ppf = function
+let parts = function
+  | Diffusive c | Luminous c -> [ ("color", Color c) ]
+  | Reflective | Mixed _ -> []
+
+let pp_part pp_number ppf = function
+  | _, Number x -> Format.fprintf ppf " %a" pp_number x
+  | _, Color { Color.r; g; b } ->
+      Format.fprintf ppf " %a %a %a" pp_number r pp_number g pp_number b
+
+let rec pp_with pp_number ppf surface =
+  Format.pp_print_string ppf (name surface);
+  match surface with
+  | Mixed parts -> pp_mix pp_number ppf parts
+  | simple -> List.iter (pp_part pp_number ppf) (parts simple)
+
+(* The last part, which may be a mix of a million mixes, by a tail call. *)
+and pp_mix pp_number ppf = function
   | [] -> ()
   | (weight, surface) :: rest ->
-      Format.fprintf ppf " %a " Number.pp weight;
-      if rest = [] then pp ppf surface
+      Format.fprintf ppf " %a " pp_number weight;
+      if rest = [] then pp_with pp_number ppf surface
       else (
-        pp ppf surface;
-        pp_parts ppf rest)
+        pp_with pp_number ppf surface;
+        pp_mix pp_number ppf rest)
+
+let pp = pp_with Number.pp

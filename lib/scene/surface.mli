@@ -1,4 +1,6 @@
-(** Surfaces: what an object does with light. *)
+(** Surfaces: what an object does with light.
+
+    [doc/adding-a-surface.md] says how to add one. *)
 
 type t = private
   | Diffusive of Color.t  (** returns this part of the light that reaches it *)
@@ -35,13 +37,43 @@ type meaning = {
     [emission + albedo * light + mirror * trace (mirrored ray)]. *)
 
 val meaning : t -> meaning
-(** [meaning surface] is the triple that [surface] denotes. Numbers too large
-    for a double become the largest finite one. *)
+(** [meaning surface] is the triple that [surface] denotes; if it {!varies}, the
+    mean of what it denotes at its points. Numbers too large for a double become
+    the largest finite one. *)
+
+val paint : t -> Color.t option
+(** [paint surface] is the colour that [surface] is said to be painted with:
+    that of a diffusive one. A mix has none of its own. *)
+
+(** {1 Surfaces that depend on the point}
+
+    None does so far. All that renders or explains a scene asks as if some did.
+*)
+
+val varies : t -> bool
+(** [varies surface] is whether [surface] is not the same at all points. *)
+
+val at : t -> Raylab_geometry.Vec3.t -> t
+(** [at surface point] is what [surface] is at [point]: a surface that does not
+    vary; [surface] itself if it does not. *)
+
+(** {1 Forms} *)
 
 val map_colors : (Color.t -> Color.t) -> t -> t
 (** [map_colors f surface] is [surface] with [f] applied to each colour in it.
 
     Raises [Invalid_argument] if [f] makes a colour that no surface may have. *)
+
+val name : t -> string
+(** [name surface] is the scene language's word for it, such as ["diffusive"].
+*)
+
+type part = Number of float | Color of Color.t  (** The type for parts. *)
+
+val parts : t -> (string * part) list
+(** [parts surface] is what the scene language writes after {!name}, in that
+    order, each part with its name; nothing for a mix, whose parts are surfaces.
+*)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are written alike, number for number. *)
@@ -49,3 +81,7 @@ val equal : t -> t -> bool
 val pp : Format.formatter -> t -> unit
 (** [pp] prints the surface as the scene language writes it, rounded for a
     reader: [mixed 0.5 diffusive 1 0 0 0.5 reflective]. *)
+
+val pp_with :
+  (Format.formatter -> float -> unit) -> Format.formatter -> t -> unit
+(** [pp_with pp_number] is {!pp} with each number printed by [pp_number]. *)

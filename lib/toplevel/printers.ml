@@ -8,8 +8,8 @@ let vec3 = Vec3.pp
 let direction = Direction.pp
 let ray = Ray.pp
 let shape = Shape.pp
-let sphere ppf s = Shape.pp ppf (Sphere s)
-let plane ppf p = Shape.pp ppf (Plane p)
+let sphere = Sphere.pp
+let plane = Plane.pp
 
 let color ppf c =
   Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp (Tell.swatches ())) c

@@ -26,6 +26,7 @@ type t = {
   hit : hit;
   light : color;
   color : color;
+  row : float array; (* what a surface that varies denotes at the hit *)
 }
 
 let create ?observe (scene : Flat_scene.t) =
@@ -40,6 +41,7 @@ let create ?observe (scene : Flat_scene.t) =
     hit = { x = 0.; y = 0.; z = 0.; nx = 0.; ny = 0.; nz = 0.; offset = 0. };
     light = black ();
     color = black ();
+    row = Array.make Flat_scene.object_size 0.;
   }
 
 let tally t = t.tally
@@ -96,10 +98,10 @@ let find_hit t number =
   let x = ray.ox +. (distance *. ray.dx)
   and y = ray.oy +. (distance *. ray.dy)
   and z = ray.oz +. (distance *. ray.dz) in
-  let o = t.scene.objects and at = Flat_scene.object_size * number in
-  let cx = o.%(at) and cy = o.%(at + 1) and cz = o.%(at + 2) in
+  let o = t.scene.numbers and at = Flat_scene.object_size * number in
   let radius = o.%(at + 3) in
   if radius > 0. then
+    let cx = o.%(at) and cy = o.%(at + 1) and cz = o.%(at + 2) in
     let vx = x -. cx and vy = y -. cy and vz = z -. cz in
     let squared = (vx *. vx) +. (vy *. vy) +. (vz *. vz) in
     if squared > 0. && squared < infinity then
@@ -113,7 +115,10 @@ let find_hit t number =
         (cz +. (radius *. nz))
         nx ny nz radius
     else set_hit t x y z ray.dx ray.dy ray.dz radius
-  else set_hit t x y z cx cy cz 0.
+  else
+    let shape = t.scene.objects.(number).shape in
+    let n = (Shape.normal_raw shape x y z :> Vec3.t) in
+    set_hit t x y z n.x n.y n.z 0.
 
 let hit_of t number =
   let { x; y; z; nx; ny; nz; offset } = t.hit in
@@ -229,9 +234,9 @@ let gather_light t =
     at := !at + Flat_scene.light_size
   done
 
-(* Puts the light that the object at [at] returns into the register [color]. *)
-let diffuse t at =
-  let o = t.scene.objects in
+(* Puts the light that the surface at [at] in [o] returns into the register
+   [color]. *)
+let diffuse t o at =
   let ar = o.%(at + Flat_scene.albedo_at)
   and ag = o.%(at + Flat_scene.albedo_at + 1)
   and ab = o.%(at + Flat_scene.albedo_at + 2) in
@@ -276,6 +281,13 @@ let tell_bounce t left =
   | None -> ()
   | Some observe -> observe (Bounce { ray = Ray.of_raw t.ray; left })
 
+(* Puts what the surface denotes at the hit into [row]. *)
+let ask_surface t number =
+  let { x; y; z; _ } = t.hit in
+  let surface = t.scene.objects.(number).surface in
+  Flat_scene.write_meaning t.row
+    (Surface.meaning (Surface.at surface (Vec3.make x y z)))
+
 (* Puts the colour of the ray, with [left] rays left in its chain, into the
    register [color]. *)
 let rec trace t left =
@@ -288,36 +300,44 @@ let rec trace t left =
     t.tally.hits <- t.tally.hits + 1;
     find_hit t number;
     tell_hit t number;
-    let o = t.scene.objects and at = Flat_scene.object_size * number in
-    diffuse t at;
-    let dr = t.color.r and dg = t.color.g and db = t.color.b in
-    let lr = t.light.r and lg = t.light.g and lb = t.light.b in
-    let mirror = o.%(at + Flat_scene.mirror_at) in
-    if mirror > 0. then (
-      reflect t;
-      if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
-      tell_bounce t (left - 1);
-      trace t (left - 1);
-      let seen = t.color in
-      set seen (mirror *. seen.r) (mirror *. seen.g) (mirror *. seen.b))
-    else set t.color 0. 0. 0.;
-    let er = o.%(at + Flat_scene.emission_at)
-    and eg = o.%(at + Flat_scene.emission_at + 1)
-    and eb = o.%(at + Flat_scene.emission_at + 2) in
-    let { r = mr; g = mg; b = mb } = t.color in
-    set t.color (er +. dr +. mr) (eg +. dg +. mg) (eb +. db +. mb);
-    match t.observe with
-    | None -> ()
-    | Some observe ->
-        observe
-          (Mixed
-             {
-               emitted = Color.make er eg eb;
-               light = Color.make lr lg lb;
-               diffused = Color.make dr dg db;
-               mirrored = Color.make mr mg mb;
-               color = color_of t.color;
-             }))
+    let o = t.scene.numbers and at = Flat_scene.object_size * number in
+    if o.%(at + Flat_scene.varies_at) > 0. then (
+      ask_surface t number;
+      shade t t.row 0 left)
+    else shade t o at left)
+
+(* The same for a ray that hits: what the surface denotes is at [at] in [o]. *)
+and shade t o at left =
+  (* read before the mirrored ray overwrites [row] *)
+  let er = o.%(at + Flat_scene.emission_at)
+  and eg = o.%(at + Flat_scene.emission_at + 1)
+  and eb = o.%(at + Flat_scene.emission_at + 2) in
+  diffuse t o at;
+  let dr = t.color.r and dg = t.color.g and db = t.color.b in
+  let lr = t.light.r and lg = t.light.g and lb = t.light.b in
+  let mirror = o.%(at + Flat_scene.mirror_at) in
+  if mirror > 0. then (
+    reflect t;
+    if left > 1 then t.tally.reflected <- t.tally.reflected + 1;
+    tell_bounce t (left - 1);
+    trace t (left - 1);
+    let seen = t.color in
+    set seen (mirror *. seen.r) (mirror *. seen.g) (mirror *. seen.b))
+  else set t.color 0. 0. 0.;
+  let { r = mr; g = mg; b = mb } = t.color in
+  set t.color (er +. dr +. mr) (eg +. dg +. mg) (eb +. db +. mb);
+  match t.observe with
+  | None -> ()
+  | Some observe ->
+      observe
+        (Mixed
+           {
+             emitted = Color.make er eg eb;
+             light = Color.make lr lg lb;
+             diffused = Color.make dr dg db;
+             mirrored = Color.make mr mg mb;
+             color = color_of t.color;
+           })
 
 (* {1 Questions from outside} *)
 

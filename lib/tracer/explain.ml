@@ -25,6 +25,7 @@ and outcome = Chain_ended | Missed | Hit of surface_hit
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
+  surface : Surface.t;
   meaning : Surface.meaning;
   lights : light list;
   light : Color.t;
@@ -80,12 +81,14 @@ let rec read_ray scene ray left (events : Event.t list) =
       match (rest : Event.t list) with
       | Mixed { emitted; light; diffused; mirrored; color } :: rest ->
           let object_ = Trace.numbered_object scene hit.number in
-          let meaning = Surface.meaning object_.surface in
+          let surface = Surface.at object_.surface hit.point in
+          let meaning = Surface.meaning surface in
           let outcome =
             Hit
               {
                 hit;
                 object_;
+                surface;
                 meaning;
                 lights;
                 light;

@@ -48,7 +48,8 @@ and outcome =
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
-  meaning : Surface.meaning;  (** what [object_]'s surface denotes *)
+  surface : Surface.t;  (** what [object_]'s surface is at the hit *)
+  meaning : Surface.meaning;  (** what [surface] denotes *)
   lights : light list;
       (** in the order of the scene; none if the surface has no albedo, which
           makes light irrelevant *)

@@ -1,23 +1,18 @@
 open Raylab_geometry
 open Raylab_scene
 
-type t = {
-  scene : Scene.t;
-  objects : Object.t array;
-  lights : Light.t array;
-  ready : Flat_scene.t;
-}
+type t = { scene : Scene.t; lights : Light.t array; ready : Flat_scene.t }
 
-let prepare ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
+let prepare ?(domains = 1) ?(quick = true) ?index (scene : Scene.t) =
+  let index = Option.value index ~default:(Bvh.index ~domains ~quick) in
   {
     scene;
-    objects = Array.of_list scene.objects;
     lights = Array.of_list scene.lights;
-    ready = Flat_scene.prepare ~index scene;
+    ready = Flat_scene.prepare ~quick ~index scene;
   }
 
 let scene t = t.scene
-let numbered_object t number = t.objects.(number - 1)
+let numbered_object t number = t.ready.objects.(number - 1)
 let numbered_light t number = t.lights.(number - 1)
 let evaluator ?observe t = Evaluator.create ?observe t.ready
 let ray t r = Evaluator.ray (evaluator t) r

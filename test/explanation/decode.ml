@@ -84,16 +84,18 @@ and hit json : Explain.surface_hit =
   in
   let get = members names json in
   let number, object_ = object_ (get "object") in
+  let point = vector (get "point") in
   {
     hit =
       {
         number;
         t = float (get "t");
-        point = vector (get "point");
+        point;
         normal = direction (get "normal");
         offset = float (get "offset");
       };
     object_;
+    surface = Surface.at object_.surface point;
     meaning =
       {
         emission = color (get "emission");

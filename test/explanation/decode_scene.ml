@@ -1,5 +1,6 @@
 open Raylab_geometry
 open Raylab_scene
+open Raylab_language
 
 exception Wrong of string
 
@@ -54,39 +55,22 @@ let kind json = text (member "kind" json)
 
 (* {1 Scenes} *)
 
-let shape json =
-  match kind json with
-  | "sphere" ->
-      let get = members [ "kind"; "centre"; "radius" ] json in
-      Shape.sphere
-        ~centre:(vector (get "centre"))
-        ~radius:(float (get "radius"))
-  | "plane" ->
-      let get = members [ "kind"; "point"; "normal" ] json in
-      Shape.plane ~point:(vector (get "point")) ~normal:(vector (get "normal"))
-  | other -> wrong other
+(* [written json] is the words of the scene language for a shape or surface: its
+   kind, and its parts in their order. *)
+let rec written : Yojson.Safe.t -> string list = function
+  | `Assoc members -> List.concat_map (fun (_, part) -> written part) members
+  | `List items -> List.concat_map written items
+  | `String word -> [ word ]
+  | number -> [ Number.to_exact_string (float number) ]
 
-let rec surface json =
-  match kind json with
-  | "diffusive" ->
-      Surface.diffusive (color (members [ "kind"; "color" ] json "color"))
-  | "luminous" ->
-      Surface.luminous (color (members [ "kind"; "color" ] json "color"))
-  | "reflective" ->
-      ignore (members [ "kind" ] json : string -> _);
-      Surface.reflective
-  | "mixed" ->
-      Surface.mixed (list part (members [ "kind"; "parts" ] json "parts"))
-  | other -> wrong other
-
-and part json =
-  let get = members [ "weight"; "surface" ] json in
-  (float (get "weight"), surface (get "surface"))
+let read words =
+  let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
+  let source = Source.make ~name:"JSON" (String.concat " " (header :: words)) in
+  match Scene_file.parse source with
+  | Ok { objects = [ o ]; _ } -> o
+  | _ -> wrong (String.concat " " words)
 
 let object_ json =
   let get = members [ "number"; "line"; "shape"; "surface" ] json in
-  ( int (get "number"),
-    Object.make
-      ?line:(optional int (get "line"))
-      (shape (get "shape"))
-      (surface (get "surface")) )
+  let o = read (written (get "shape") @ written (get "surface")) in
+  (int (get "number"), { o with line = optional int (get "line") })

@@ -124,6 +124,16 @@ let test_all_kinds () =
     verdicts;
   Alcotest.(check bool) "parses back" true (parses_back scene)
 
+(* An object is its words and their parts, by name. *)
+let test_object () =
+  let ball = sphere (v 0. 0. 6.) 1. (Surface.luminous Color.red) in
+  let scene = Trace.prepare (Scene.make ~objects:[ ball ] (camera ())) in
+  let json = Json.of_ray (Explain.pixel scene ~x:0 ~y:0) in
+  Expect.contains "sphere"
+    ~part:
+      {|"shape":{"kind":"sphere","centre":[0.0,0.0,6.0],"radius":1.0},"surface":{"kind":"luminous","color":[1.0,0.0,0.0]}|}
+    (Yojson.Safe.to_string json)
+
 (* The manual page shows the schema that the documentation of the library has. *)
 let test_schema () =
   let documentation =
@@ -140,5 +150,6 @@ let suite =
   ( "Json",
     Alcotest.test_case "document" `Quick test_document
     :: Alcotest.test_case "all kinds" `Quick test_all_kinds
+    :: Alcotest.test_case "an object" `Quick test_object
     :: Alcotest.test_case "schema" `Quick test_schema
     :: round_trip :: any_string :: strict )

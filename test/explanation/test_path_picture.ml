@@ -86,6 +86,27 @@ let test_unfollowed () =
   let _, svg = draw (Scene.make ~ray_depth:1 ~objects:[ mirror ] (camera ())) in
   check_count "stub" 2 "the chain has ended</text>" svg
 
+(* A piece of a plane is a polygon; far beyond the panel it is nothing. *)
+let test_patch () =
+  let frame = { Frame.low = v 0. 0. 0.; high = v 10. 10. 10. } in
+  let view =
+    let width = 100. and height = 100. and scale = 10. in
+    { View.side = Above; left = 0.; top = 0.; width; height; scale; frame }
+  in
+  let draw corners =
+    let look = { Silhouette.fill = "red"; is_met = true } in
+    Silhouette.draw view look ~level:0. (Patch corners)
+  in
+  (match draw [ v 1. 5. 1.; v 3. 5. 1.; v 2. 5. 4. ] with
+  | None -> Alcotest.fail "nothing"
+  | Some (svg, (x, y)) ->
+      Expect.contains "corners" ~part:"10.0,90.0 30.0,90.0 20.0,60.0" svg;
+      Alcotest.check (Same.near 1e-9) "label, across" 20. x;
+      Alcotest.check (Same.near 1e-9) "label, above the middle" 73. y);
+  Alcotest.(check bool)
+    "far away" true
+    (draw [ v 0. 0. 0.; v 1e9 0. 0.; v 0. 0. 1e9 ] = None)
+
 (* {1 Any scene} *)
 
 let is_sound svg =
@@ -141,5 +162,6 @@ let suite =
       Alcotest.test_case "a chain that ends" `Quick test_unfollowed;
       Alcotest.test_case "thousands of spheres" `Quick test_many;
       Alcotest.test_case "frame" `Quick test_frame;
+      Alcotest.test_case "a piece of a plane" `Quick test_patch;
     ]
     @ sound )

@@ -22,7 +22,9 @@ let shapes_and_rays sizes number =
       (list_size (1 -- 30) (Generate.ray number)))
 
 let agrees (shapes, rays) =
-  answers (Bvh.index shapes) rays = answers (Query.brute_force shapes) rays
+  let expected = answers (Query.brute_force shapes) rays in
+  answers (Bvh.index shapes) rays = expected
+  && answers (Bvh.index ~quick:false shapes) rays = expected
 
 (* Corners and centres of a grid: many at the same distance, rays along faces
    of boxes. *)
@@ -45,10 +47,13 @@ let some_rays =
     (Generate.ray Generate.everyday)
 
 let check_same name ?domains shapes =
-  Alcotest.(check bool)
-    name true
-    (answers (Bvh.index ?domains shapes) some_rays
-    = answers (Query.brute_force shapes) some_rays)
+  let expected = answers (Query.brute_force shapes) some_rays in
+  let check what quick =
+    let found = answers (Bvh.index ?domains ~quick shapes) some_rays in
+    Alcotest.(check bool) what true (found = expected)
+  in
+  check name true;
+  check (name ^ ", the general way") false
 
 (* What gives a heuristic nothing to hold on to. *)
 let test_degenerate () =

@@ -39,6 +39,31 @@ let test_equal () =
   differs "radius" (Shape.sphere ~centre:(v 0. 0. 6.) ~radius:2.);
   differs "kind" floor
 
+(* What is written after the word is what the shape is made of. *)
+let test_parts () =
+  let check what expected shape =
+    Alcotest.(check bool) what true (Shape.parts shape = expected)
+  in
+  check "sphere" [ ("centre", Vector (v 0. 0. 6.)); ("radius", Number 1.) ] ball;
+  check "plane"
+    [ ("point", Vector (v 0. (-1.) 0.)); ("normal", Vector (v 0. 1. 0.)) ]
+    floor
+
+(* Every point of a shape is in its ball. *)
+let ball_holds =
+  Property.holds "the ball holds the shape" ~count:5000
+    QCheck2.Gen.(
+      pair (Generate.shape Generate.everyday) (Generate.ray Generate.everyday))
+    (fun (shape, ray) ->
+      match Shape.ball shape with
+      | None -> true
+      | Some ball ->
+          let is_inside t =
+            let way = Vec3.sub (Ray.at ray t) (Sphere.centre ball) in
+            Vec3.length way <= ball.radius +. 1e-6
+          in
+          List.for_all is_inside (Shape.intersections shape ray))
+
 let shapes_and_rays number =
   QCheck2.Gen.pair (Generate.shape number) (Generate.ray number)
 
@@ -57,5 +82,7 @@ let suite =
       Alcotest.test_case "sphere" `Quick test_sphere;
       Alcotest.test_case "plane" `Quick test_plane;
       Alcotest.test_case "equal" `Quick test_equal;
+      Alcotest.test_case "parts" `Quick test_parts;
+      ball_holds;
       nearest_is_least;
     ] )

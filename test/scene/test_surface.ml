@@ -64,6 +64,21 @@ let test_map_colors () =
        (fun _ -> grey 2.)
        (Surface.mixed [ (2., mirror); (1., Surface.mixed [ (3., glow) ]) ]))
 
+(* None varies so far. *)
+let test_at () =
+  let mix = Surface.mixed [ (2., mirror); (1., glow) ] in
+  Alcotest.(check bool) "varies" false (Surface.varies mix);
+  check "anywhere" mix (Surface.at mix (v 1. 2. 3.))
+
+let test_paint () =
+  let check what expected surface =
+    Alcotest.(check (option Same.color)) what expected (Surface.paint surface)
+  in
+  check "diffusive" (Some (rgb 1. 0.5 0.)) matt;
+  check "mirror" None mirror;
+  check "luminous" None glow;
+  check "mix" None (Surface.mixed [ (1., matt) ])
+
 let test_pp () =
   Expect.prints "as in a scene" "mixed 0.5 diffusive 1 0.5 0 0.25 reflective"
     Surface.pp
@@ -78,5 +93,7 @@ let suite =
       Alcotest.test_case "equal" `Quick test_equal;
       Alcotest.test_case "invalid" `Quick test_invalid;
       Alcotest.test_case "map_colors" `Quick test_map_colors;
+      Alcotest.test_case "at a point" `Quick test_at;
+      Alcotest.test_case "paint" `Quick test_paint;
       Alcotest.test_case "pp" `Quick test_pp;
     ] )

@@ -71,6 +71,14 @@ let triple =
       Alcotest.equal (Same.color_near 1e-9) expected
         (Trace.ray (Trace.prepare scene) ray))
 
+(* What holds of any shape and surface holds of those with a quicker way. *)
+let quick_is_no_other =
+  Property.holds "the general way shows the same" ~count:500 ~print
+    (Generate.scene ~max_side:6 Generate.everyday) (fun scene ->
+      let general = Trace.prepare ~quick:false scene in
+      Seq.equal Color.equal (pixels scene)
+        (Seq.map (Trace.ray general) (Trace.primary_rays scene)))
+
 let suite =
   ( "Any scene",
     [
@@ -80,4 +88,5 @@ let suite =
       ray_is_pixel;
       grey_stays_grey;
       triple;
+      quick_is_no_other;
     ] )

@@ -1,0 +1,1 @@
+type t = Ball of Sphere.t | Endless of Plane.t | Patch of Vec3.t list
