@@ -111,7 +111,7 @@ let show options target scene picture ~seconds =
   if wanted then
     let load () =
       if options.scene = "-" then Ok (Trace.scene scene)
-      else Window.load options.scene options.view ()
+      else Window.load options.scene ~adjust:(Options.adjust options.view) ()
     in
     match
       View.run ~on_loss:Window.on_loss ?domains:options.domains

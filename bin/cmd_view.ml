@@ -1,4 +1,5 @@
 open Cmdliner
+open Raylab_scene
 open Raylab_picture
 open Raylab_window
 
@@ -8,15 +9,24 @@ type options = {
   out : string option;
   domains : int option;
   watch : bool;
+  no_lines : bool;
 }
 
-let first { scene; view; watch; _ } =
-  match Window.load scene view () with
-  | Ok scene -> View.Scene scene
-  | Error message when watch -> Error message
-  | Error message ->
-      Window.tell message;
-      raise (Command.Ended Exit_code.scene_error)
+let adjust { view; no_lines; _ } scene =
+  Options.adjust view (if no_lines then Scene.without_lines scene else scene)
+
+let load options = Window.load options.scene ~adjust:(adjust options)
+
+let first options =
+  if options.watch then
+    match load options () with
+    | Ok scene -> View.Scene scene
+    | Error message -> Error message
+  else
+    let scene = adjust options (Command.load_scene options.scene) in
+    match Window.check_size scene with
+    | Ok () -> Scene scene
+    | Error message -> Command.write_error message
 
 let view options () =
   let path = options.scene in
@@ -36,7 +46,7 @@ let view options () =
   let load () =
     match first with
     | Scene scene when path = "-" -> Ok scene
-    | _ -> Window.load path options.view ()
+    | _ -> load options ()
   in
   match
     View.run ~on_loss:Window.on_loss ?domains:options.domains ?watch
@@ -62,13 +72,16 @@ let options =
        window says so and waits for the next change."
     in
     Arg.(value & flag & info [ "w"; "watch" ] ~doc)
+  and no_lines =
+    (* for the prompt, whose scene may come from no file *)
+    Arg.(value & flag & info [ "no-lines" ] ~docs:Manpage.s_none)
   in
-  let make scene view out domains watch =
-    { scene; view; out; domains; watch }
+  let make scene view out domains watch no_lines =
+    { scene; view; out; domains; watch; no_lines }
   in
   Term.(
     const make $ Command.scene_arg $ Options.view $ out $ Options.domains
-    $ watch)
+    $ watch $ no_lines)
 
 let cmd =
   let man =

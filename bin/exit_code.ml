@@ -19,8 +19,11 @@ let infos =
       "if a picture or other output could not be written, not shown for want \
        of a display, or a job not submitted.";
     info usage "if the command line is wrong.";
-    info interrupted "if interrupted by Ctrl-C; nothing is written then.";
-    info hung_up "if the terminal went away; nothing is written then.";
-    info terminated "if ended by a signal; nothing is written then.";
+    info interrupted
+      "if interrupted by Ctrl-C; a picture that is not whole is not written.";
+    info hung_up
+      "if the terminal went away; a picture that is not whole is not written.";
+    info terminated
+      "if ended by a signal; a picture that is not whole is not written.";
     info failed "if memory runs out, or on an error of raylab itself.";
   ]

@@ -55,7 +55,35 @@ let end_by_signal code _ =
   (try remove_temporary_files () with _ -> ());
   Unix._exit code
 
+(* What is opened first would take the place of a standard stream that is closed:
+   a window would get what is printed. Here one cannot be written to, or read, as
+   before. *)
+let hold_places () =
+  let hold (descriptor, flag) =
+    try ignore (Unix.fstat descriptor : Unix.stats)
+    with Unix.Unix_error _ ->
+      ignore (Unix.openfile "/dev/null" [ flag ] 0 : Unix.file_descr)
+  in
+  List.iter hold
+    [
+      (Unix.stdin, Unix.O_WRONLY);
+      (Unix.stdout, O_RDONLY);
+      (Unix.stderr, O_RDONLY);
+    ]
+
+(* Manuals are printed by Cmdliner, which leaves to others what goes wrong then. *)
+let evaluate () =
+  try
+    let code = Cmd.eval' ~catch:false ~err:Command.usage_errors ~argv program in
+    Format.print_flush ();
+    code
+  with Sys_error reason ->
+    close_out_noerr stdout;
+    Command.say "standard output: %s" reason;
+    Exit_code.not_written
+
 let () =
+  hold_places ();
   (* a reader that goes away is an error of writing, told as one *)
   Sys.set_signal Sys.sigpipe Signal_ignore;
   List.iter
@@ -66,4 +94,4 @@ let () =
       (Sys.sighup, Exit_code.hung_up);
       (Sys.sigterm, Exit_code.terminated);
     ];
-  exit (Cmd.eval' ~err:Command.usage_errors ~argv program)
+  exit (evaluate ())

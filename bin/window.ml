@@ -9,11 +9,13 @@ let terminal channel = Terminal.make channel ~tell
 
 let check_size (scene : Scene.t) =
   let { Camera.width; height; _ } = scene.camera in
-  Result.map (fun () -> scene) (Picture_file.check_size Bmp ~width ~height)
+  Picture_file.check_size Bmp ~width ~height
 
-let load path view () =
+let load path ~adjust () =
   match Scene_file.load path with
-  | Ok scene -> check_size (Options.adjust view scene)
+  | Ok scene ->
+      let scene = adjust scene in
+      Result.map (fun () -> scene) (check_size scene)
   | Error errors ->
       let text = List.map (Format.asprintf "%a" Scene_error.pp) errors in
       Error (String.concat "\n" text)

@@ -10,9 +10,14 @@ val terminal : out_channel -> Terminal.t
 val tell : string -> unit
 (** [tell text] prints lines on standard error. *)
 
-val load : string -> Options.view -> unit -> (Scene.t, string) result
-(** [load path view ()] is the scene at [path] as [view] wants it, or the text
-    of all that is wrong with it. *)
+val check_size : Scene.t -> (unit, string) result
+(** [check_size scene] is whether its picture fits into memory, or a message
+    that says why not. *)
+
+val load :
+  string -> adjust:(Scene.t -> Scene.t) -> unit -> (Scene.t, string) result
+(** [load path ~adjust ()] is [adjust] of the scene at [path], or the text of
+    all that is wrong with it or with its size. *)
 
 val source :
   ?out:string ->

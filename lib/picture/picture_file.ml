@@ -54,6 +54,9 @@ let check_size format ~width ~height =
 
 (* {1 Writing} *)
 
+(* libpng does not say why it cannot write. *)
+let png_is_cut_off () = raise (Sys_error "no space left on the device?")
+
 let write_file format path picture =
   let image =
     Images.Rgb24
@@ -62,7 +65,7 @@ let write_file format path picture =
   in
   match format with
   | Bmp -> Bmp.save path [] image
-  | Png -> Png.save path [] image
+  | Png -> ( try Png.save path [] image with Failure _ -> png_is_cut_off ())
   | Ppm -> Ppm.save path [] image
 
 (* The last chunk of every PNG file. *)
@@ -79,8 +82,7 @@ let check_whole format path =
         (In_channel.seek channel (Int64.sub length tail);
          In_channel.input_all channel = png_end))
   in
-  if format = Png && not (is_whole ()) then
-    raise (Sys_error "no space left on the device?")
+  if format = Png && not (is_whole ()) then png_is_cut_off ()
 
 let write format picture path =
   write_file format path picture;

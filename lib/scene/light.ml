@@ -70,6 +70,8 @@ let name light =
   | Directional _ -> "directional"
   | Point _ -> "spherical"
 
+let without_line light = { light with line = None }
+
 let map_color f { source; intensity; color; line } =
   make ?line ~intensity ~color:(f color) source
 

@@ -80,6 +80,9 @@ val name : t -> string
 (** [name light] is the scene language's word: ["directional"] or ["spherical"].
 *)
 
+val without_line : t -> t
+(** [without_line light] is [light], of no file. *)
+
 val map_color : (Color.t -> Color.t) -> t -> t
 (** [map_color f light] is [light] in the colour [f color].
 

@@ -22,6 +22,14 @@ let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
 
 let with_camera camera scene = { scene with camera }
 
+let without_lines scene =
+  let forget (o : Object.t) = { o with line = None } in
+  {
+    scene with
+    lights = List.map Light.without_line scene.lights;
+    objects = List.map forget scene.objects;
+  }
+
 let greyscale scene =
   let grey c = Grey.to_color (Grey.of_color c) in
   let grey_object (o : Object.t) =

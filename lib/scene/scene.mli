@@ -35,6 +35,10 @@ val max_ray_depth : int
 val with_camera : Camera.t -> t -> t
 (** [with_camera camera scene] is [scene] seen by [camera]. *)
 
+val without_lines : t -> t
+(** [without_lines scene] is [scene], of no file: its lights and objects have no
+    lines. *)
+
 val greyscale : t -> t
 (** [greyscale scene] is [scene] with every colour replaced by the grey of its
     luminance; see {!Grey}. *)

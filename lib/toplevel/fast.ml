@@ -41,6 +41,8 @@ let read_picture channel =
 
 (* {1 Running the program} *)
 
+let remove_quietly remove path = try remove path with Sys_error _ -> ()
+
 let with_scene_file ?(name = "scene") scene f =
   let directory = Filename.temp_dir "raylab" "" in
   let path = Filename.concat directory name in
@@ -49,10 +51,13 @@ let with_scene_file ?(name = "scene") scene f =
     Format.fprintf ppf "%a@?" Scene_file.print scene
   in
   Fun.protect
-    ~finally:(fun () -> Sys.rmdir directory)
+    ~finally:(fun () ->
+      remove_quietly Sys.remove path;
+      remove_quietly Sys.rmdir directory)
     (fun () ->
-      Out_channel.with_open_bin path write;
-      Fun.protect ~finally:(fun () -> Sys.remove path) (fun () -> f path))
+      (try Out_channel.with_open_bin path write
+       with Sys_error reason -> raise (Sys_error (path ^ ": " ^ reason)));
+      f path)
 
 (* Ctrl-C goes to the program as well, which then ends by itself. *)
 let end_of pid =
@@ -105,16 +110,22 @@ let picture scene =
 
 let no_display = 2
 
-let show_with program ~out path =
+let show_with program options path =
+  let arguments = [ program; "view" ] @ options @ [ "--"; path ] in
   let pid =
-    Unix.create_process program
-      [| program; "view"; path; "--output=" ^ out |]
-      Unix.stdin Unix.stdout Unix.stderr
+    Unix.create_process program (Array.of_list arguments) Unix.stdin Unix.stdout
+      Unix.stderr
   in
   match end_of pid with
   | WEXITED 0 -> ()
   | WEXITED code when code = no_display -> () (* it has said so *)
   | status -> failed program status
+
+(* Then the program says the lines that the prompt says. *)
+let still_has scene file =
+  match Scene_file.load file with
+  | Ok found -> Scene.equal found scene
+  | Error _ -> false
 
 let show_here ~name ~out scene =
   let save picture =
@@ -126,11 +137,16 @@ let show_here ~name ~out scene =
   let terminal = Terminal.make stdout ~tell:prerr_endline in
   Result.iter_error prerr_endline (View.run ~terminal source (Scene scene))
 
-let show ?(file = "scene") scene =
+let show ?file scene =
   check_size scene;
   Format.print_flush ();
-  let name = Filename.basename file
-  and out = Filename.remove_extension file ^ ".bmp" in
-  match program () with
-  | Some program -> with_scene_file ~name scene (show_with program ~out)
-  | None -> show_here ~name ~out scene
+  let path = Option.value file ~default:"scene" in
+  let name = Filename.basename path
+  and out = Filename.remove_extension path ^ ".bmp" in
+  match (program (), file) with
+  | None, _ -> show_here ~name ~out scene
+  | Some program, Some file when still_has scene file ->
+      show_with program [] file
+  | Some program, _ ->
+      with_scene_file ~name scene
+        (show_with program [ "--no-lines"; "--output=" ^ out ])

@@ -23,7 +23,8 @@ val picture : Scene.t -> Picture.t
 val show : ?file:string -> Scene.t -> unit
 (** [show ~file scene] shows [scene], which came from [file], in a window of the
     native program, or of this one if there is none, until the window is closed.
-    If there is no display that is told on standard error.
+    If [file] still describes [scene] it is [file] that is shown. If there is no
+    display that is told on standard error.
 
     Raises [Sys_error] if the picture would not fit into memory. Raises
     [Failure] if the program fails. Raises [Sys.Break] if it is interrupted. *)

@@ -77,6 +77,12 @@ tell all the same.
   $ raylab render sky.scene --size 640x480 -o - > /dev/full
   raylab: standard output: No space left on device
   [2]
+  $ raylab --version > /dev/full
+  raylab: standard output: No space left on device
+  [2]
+  $ raylab explain --help=plain >&-
+  raylab: standard output: Bad file descriptor
+  [2]
   $ raylab check missing.scene >&-
   missing.scene: error: No such file or directory
   [1]

@@ -278,11 +278,13 @@ Help and version go to standard output. A version is no place-holder.
   
          125 if memory runs out, or on an error of raylab itself.
   
-         129 if the terminal went away; nothing is written then.
+         129 if the terminal went away; a picture that is not whole is not
+             written.
   
-         130 if interrupted by Ctrl-C; nothing is written then.
+         130 if interrupted by Ctrl-C; a picture that is not whole is not
+             written.
   
-         143 if ended by a signal; nothing is written then.
+         143 if ended by a signal; a picture that is not whole is not written.
   
   $ raylab render --help=plain
   NAME
@@ -362,11 +364,13 @@ Help and version go to standard output. A version is no place-holder.
   
          125 if memory runs out, or on an error of raylab itself.
   
-         129 if the terminal went away; nothing is written then.
+         129 if the terminal went away; a picture that is not whole is not
+             written.
   
-         130 if interrupted by Ctrl-C; nothing is written then.
+         130 if interrupted by Ctrl-C; a picture that is not whole is not
+             written.
   
-         143 if ended by a signal; nothing is written then.
+         143 if ended by a signal; a picture that is not whole is not written.
   
   SEE ALSO
          raylab(1)
@@ -410,11 +414,13 @@ Help and version go to standard output. A version is no place-holder.
   
          125 if memory runs out, or on an error of raylab itself.
   
-         129 if the terminal went away; nothing is written then.
+         129 if the terminal went away; a picture that is not whole is not
+             written.
   
-         130 if interrupted by Ctrl-C; nothing is written then.
+         130 if interrupted by Ctrl-C; a picture that is not whole is not
+             written.
   
-         143 if ended by a signal; nothing is written then.
+         143 if ended by a signal; a picture that is not whole is not written.
   
   SEE ALSO
          raylab(1)

@@ -298,6 +298,10 @@ What cannot be written, or not rendered:
   $ TMPDIR=$PWD/tmp say 'ignore (render ())'
   - : unit = ()
   $ ls tmp
+  $ (trap '' XFSZ; ulimit -f 0; TMPDIR=tmp say 'render ()') |
+  >   sed 's/raylab[0-9a-f]\{6\}/raylabN/'
+  Exception: Sys_error "tmp/raylabN/scene: File too large".
+  $ ls tmp
 
 Scripts
 -------

@@ -15,7 +15,7 @@
   > load "green.scene";;
   > show ();;
   > print_endline "closed twice";;
-  > use (scene ());;
+  > use (Scene.without_lines (scene ()));;
   > show ();;
   > EOF
 
@@ -24,7 +24,7 @@ The window is that of the native program.
   $ start red.scene repl red.scene twice.ml
   $ until_ok is_picture red.rgb
   $ click 60 45
-  $ until_ok said 'pixel (60, 45)'
+  $ until_ok said 'red sphere (object 1, line 2)'
   $ press q
   $ until_ok said 'closed once'
   $ until_ok has_window '^green.scene'
@@ -36,6 +36,9 @@ The window is that of the native program.
   $ until_ok said 'closed twice'
   $ until_ok has_window '^scene'
   $ until_ok is_picture green.rgb
+  $ click 60 45
+  $ until_ok said 'green sphere (object 1)'
+  $ press c
   $ whole
   $ press s
   $ until_ok test -s scene.bmp

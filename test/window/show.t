@@ -19,6 +19,9 @@ Without one
   $ DISPLAY=nowhere raylab view red.scene
   raylab: no display was found: cannot open 'nowhere'
   [2]
+  $ raylab view red.scene --size 50000x50000
+  raylab: a picture of 50000 x 50000 pixels would take 7.0 GiB of memory; the limit is 4 GiB
+  [2]
   $ raylab red.scene
   raylab: wrote red.bmp
   raylab: no display was found: DISPLAY is not set. The picture is not shown
@@ -75,3 +78,15 @@ then explained on standard error.
   $ ended
   $ wc -c < out
   32455
+
+Nobody may be there to read. The window does not get what is printed.
+
+  $ raylab view red.scene >&- 2>&- &
+  $ pid=$!
+  $ until_ok has_window '^red.scene'
+  $ click 60 45
+  $ press h
+  $ press c
+  $ until_ok is_picture red.rgb
+  $ press q
+  $ ended
