@@ -1,17 +1,22 @@
-type 'stamp state = { seen : 'stamp option; away_since : float option }
+type 'stamp state = {
+  told : 'stamp option;
+  last : 'stamp option;
+  since : float; (* when [last] was first seen *)
+}
 
+let settling = 0.05
 let patience = 1.
-let initial seen = { seen; away_since = None }
+let initial stamp = { told = stamp; last = stamp; since = neg_infinity }
 
 let step ~now stamp state =
-  match (stamp, state) with
-  | Some _, _ -> ({ seen = stamp; away_since = None }, stamp <> state.seen)
-  | None, { seen = None; _ } -> (state, false)
-  | None, { away_since = None; _ } ->
-      ({ state with away_since = Some now }, false)
-  | None, { away_since = Some since; _ } ->
-      if now -. since < patience then (state, false)
-      else ({ seen = None; away_since = None }, true)
+  let state =
+    if stamp = state.last then state
+    else { state with last = stamp; since = now }
+  in
+  let enough = if stamp = None then patience else settling in
+  if stamp <> state.told && now -. state.since >= enough then
+    ({ state with told = stamp }, true)
+  else (state, false)
 
 type t = { path : string; mutable state : Unix.stats state }
 

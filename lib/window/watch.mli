@@ -16,9 +16,13 @@ val has_changed : t -> bool
 
 (** {1 The decision itself} *)
 
+val settling : float
+(** [settling] is how long, in seconds, a file must stay the same after a change
+    before that is told: an editor may be at work on it. *)
+
 val patience : float
-(** [patience] is how long, in seconds, a file may be away without that being a
-    change, since some editors take it away for a moment. *)
+(** [patience] is likewise for a file that is away, since some editors take it
+    away for a moment. *)
 
 type 'stamp state
 (** The type for what was seen of a file, where two ['stamp]s differ if the file

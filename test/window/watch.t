@@ -29,15 +29,13 @@ One that first takes the old file away.
 
   $ mv a.scene a.scene~ && cat green.scene > a.scene
   $ until_ok is_picture green.rgb
-  $ cat out err
 
 An error is shown, and told whole. The last picture is behind it, darker.
 
-  $ cat broken.scene > a.scene
+  $ cp broken.scene new && mv new a.scene
   $ shows 'a.scene: error'
-  $ head -n 1 err
-  a.scene:3:26-29: error: unknown colour 'gren'
-  $ raylab check a.scene 2> all || diff all err
+  $ until_ok told "a.scene:3:26-29: error: unknown colour 'gren'"
+  $ raylab check a.scene 2> all || tail -n $(wc -l < all) err | diff all -
   $ until_ok is_not_picture green.rgb
   $ corner () { import -window "$window" -crop 1x1+119+89 -depth 8 txt:- | grep -o '#[0-9A-F]\{6\}'; }
   $ corner
