@@ -45,7 +45,7 @@ LIGHT   = { "number": INT, "line": INT or null,
             "shadow_ray":                 if blocked or lit
               RAY, without left, color, outcome and hit;
               or null                     if lit: the light is where it
-                                          would start, or too far away
+                                          would start
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
             "falloff": NUMBER, "contribution": COLOR }    if lit
 

@@ -1,10 +1,8 @@
 (** The inner loop: from a ray in a register to its colour.
 
-    This is the one place where the meaning of a scene is computed; {!Trace}
-    gives it a pure face. It keeps what it is at in registers, records of
-    mutable doubles, because in OCaml a double that crosses a function call or
-    lies in an ordinary record costs an allocation, and a picture has millions
-    of them. No register is seen outside. *)
+    This, with its parts {!Hitting} and {!Lighting}, is the one place where the
+    meaning of a scene is computed; {!Trace} gives it a pure face. It keeps what
+    it is at in {!Registers}, which nobody else sees. *)
 
 open Raylab_geometry
 open Raylab_scene

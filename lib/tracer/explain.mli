@@ -22,8 +22,7 @@ type verdict =
     }
   | Lit of {
       shadow_ray : Ray.t option;
-          (** none if the light is where that ray would start, or too far away
-              for a double *)
+          (** none if the light is where that ray would start *)
       cosine : float;
       falloff : float;
       contribution : Color.t;
