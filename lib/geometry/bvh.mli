@@ -13,7 +13,7 @@ val index : ?domains:int -> ?quick:bool -> Shape.t array -> Query.index
     (Bit for bit, as long as a ray starts within a million times as far from the
     origin as the shapes lie; beyond that rounding errors may let a ray pass
     beside the box of a shape whose edge it touches. A coordinate beyond about
-    1e150 cannot be squared, and a sphere there is not hit by either.)
+    1e154 cannot be squared, and a sphere there is not hit by either.)
 
     It is built in O(n log n), on at most [domains] domains, by default 1. It
     takes about 80 bytes for each shape.

@@ -23,7 +23,7 @@ val intersections : t -> Ray.t -> float list
 (** [intersections sphere ray] is all [t], negative ones included and in
     ascending order, for which [Ray.at ray t] lies on [sphere]: none or two,
     which are equal where the line touches the sphere. The ray's reach is not
-    looked at. From about 1e150 on squares overflow, and the sphere is not met.
+    looked at. From about 1e154 on squares overflow, and the sphere is not met.
 
     With [l] the vector from the point of the line that is nearest to the
     centre, the discriminant is computed as [r^2 - l . l]: the textbook's

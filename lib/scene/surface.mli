@@ -16,8 +16,15 @@ type t = private
     finite, or a mix is empty. *)
 
 val diffusive : Color.t -> t
+(** [diffusive color] is matt: it returns the part [color] of the light that
+    reaches it, to all sides alike. *)
+
 val reflective : t
+(** [reflective] is a perfect mirror. *)
+
 val luminous : Color.t -> t
+(** [luminous color] glows in [color], whatever the light. It lights nothing
+    else. *)
 
 val mixed : (float * t) list -> t
 (** [mixed parts] is the mix of [parts], each a weight and a surface. A mix
