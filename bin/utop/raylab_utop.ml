@@ -23,7 +23,17 @@ let greeting scene () =
   Option.iter tell scene;
   Format.printf "help () lists what raylab knows; Ctrl-D leaves.@."
 
+(* Before OCaml's own flushing at the end, which takes a failure for a bug. *)
+let flush_or_tell () =
+  try
+    Format.print_flush ();
+    flush stdout
+  with Sys_error reason ->
+    prerr_endline ("raylab: standard output: " ^ reason);
+    Unix._exit 2
+
 let () =
+  at_exit flush_or_tell;
   (* raylab ignores it, and that is inherited *)
   Sys.set_signal Sys.sigpipe Signal_default;
   let scene = argument 1 in

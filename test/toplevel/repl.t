@@ -364,6 +364,9 @@ the next phrase is read.
   Line 1, characters 0-7:
   Error: Unbound value "nothing"
   - : int = 2
+  $ echo 'why 2 2' | raylab repl three.scene > /dev/full
+  raylab: standard output: No space left on device
+  [2]
   $ printf '' | raylab repl
   $ raylab repl < /dev/null
 
