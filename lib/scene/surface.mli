@@ -54,8 +54,8 @@ val paint : t -> Color.t option
 
 (** {1 Surfaces that depend on the point}
 
-    None does so far. All that renders or explains a scene asks as if some did.
-*)
+    All that renders or explains a scene asks as if some did, though none of the
+    scene language does. *)
 
 val varies : t -> bool
 (** [varies surface] is whether [surface] is not the same at all points. *)

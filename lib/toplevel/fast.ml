@@ -59,7 +59,23 @@ let with_scene_file ?(name = "scene") scene f =
        with Sys_error reason -> raise (Sys_error (path ^ ": " ^ reason)));
       f path)
 
-(* Ctrl-C goes to the program as well, which then ends by itself. *)
+(* Ctrl-C goes to the program as well, which then ends by itself: so it must have
+   started, and be waited for, whenever Ctrl-C comes. *)
+let start program arguments ~output =
+  let interrupted = ref false in
+  let note = Sys.Signal_handle (fun _ -> interrupted := true) in
+  let before = Sys.signal Sys.sigint note in
+  Fun.protect
+    ~finally:(fun () -> Sys.set_signal Sys.sigint before)
+    (fun () ->
+      let pid =
+        Unix.create_process program
+          (Array.of_list (program :: arguments))
+          Unix.stdin output Unix.stderr
+      in
+      if !interrupted then Unix.kill pid Sys.sigint;
+      pid)
+
 let end_of pid =
   let rec wait () =
     match Unix.waitpid [] pid with
@@ -70,21 +86,20 @@ let end_of pid =
 
 let failed program : Unix.process_status -> _ = function
   | WEXITED 130 -> raise Sys.Break
+  | WSIGNALED signal when signal = Sys.sigint -> raise Sys.Break
   | WEXITED code | WSIGNALED code | WSTOPPED code ->
       failwith (Printf.sprintf "%s ended with status %d" program code)
 
 let render_with program path =
   let output, input = Unix.pipe ~cloexec:true () in
-  let pid =
-    Unix.create_process program
-      [| program; "render"; path; "-o"; "-" |]
-      Unix.stdin input Unix.stderr
-  in
-  Unix.close input;
   let channel = Unix.in_channel_of_descr output in
   set_binary_mode_in channel true;
+  let pid = start program [ "render"; path; "-o"; "-" ] ~output:input in
   let picture =
-    try Ok (read_picture channel) with
+    try
+      Unix.close input;
+      Ok (read_picture channel)
+    with
     | End_of_file -> Error None
     | exn -> Error (Some exn)
   in
@@ -111,12 +126,8 @@ let picture scene =
 let no_display = 2
 
 let show_with program options path =
-  let arguments = [ program; "view" ] @ options @ [ "--"; path ] in
-  let pid =
-    Unix.create_process program (Array.of_list arguments) Unix.stdin Unix.stdout
-      Unix.stderr
-  in
-  match end_of pid with
+  let arguments = ("view" :: options) @ [ "--"; path ] in
+  match end_of (start program arguments ~output:Unix.stdout) with
   | WEXITED 0 -> ()
   | WEXITED code when code = no_display -> () (* it has said so *)
   | status -> failed program status

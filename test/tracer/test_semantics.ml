@@ -27,9 +27,7 @@ let normal_towards ray shape point =
   if Vec3.dot d (n :> Vec3.t) > 0. then Direction.neg n else n
 
 let offset (scene : Scene.t) ray shape point =
-  let size =
-    match (shape : Shape.t) with Sphere s -> s.radius | Plane _ -> 0.
-  in
+  let size = match (shape : Shape.t) with Sphere s -> s.radius | _ -> 0. in
   Float.max
     (1e-5 *. Camera.scale scene.camera)
     (0x1p-44
@@ -55,7 +53,9 @@ let rec trace (scene : Scene.t) n ray =
       let point = Ray.at ray t in
       let normal = normal_towards ray shape point in
       let offset = offset scene ray shape point in
-      let { Surface.emission; albedo; mirror } = Surface.meaning surface in
+      let { Surface.emission; albedo; mirror } =
+        Surface.meaning (Surface.at surface point)
+      in
       let start = Vec3.add point (Vec3.scale offset (normal :> Vec3.t)) in
       let mirrored = Ray.reflect ray ~at:start ~normal in
       Color.add emission
