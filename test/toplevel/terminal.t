@@ -90,13 +90,13 @@ A long rendering shows how far it is, and can be interrupted. The prompt goes on
 
   $ ask 'let mirror z = plane (vec 0. 0. z) (vec 0. 0. 1.) reflective;;'
   $ ask 'let hall = [ mirror 9.; mirror (-9.) ];;'
-  $ ask 'use (Scene.make camera ~ray_depth:1000000 ~objects:hall);;'
+  $ ask 'use (Scene.make camera ~ray_depth:20000 ~objects:hall);;'
   $ type 'render ();;'
-  $ wait_until shows '%'
+  $ wait_until shows ' %, '
   $ tmux send-keys C-c
   $ prompts=$((prompts + 1))
   $ ask '6 * 7;;'
-  $ screen | grep -A 9 'render' | sed 's/^\^C//; /^[┌│└]/d; /./!d'
+  $ screen | grep -A 9 'render' | sed 's/^.*\^C//; /^[┌│└]/d; /./!d'
   raylab # render ();;
   Interrupted.
   raylab # 6 * 7;;
