@@ -45,7 +45,7 @@ val load : t -> Ray.t -> unit
 
 val set : color -> float -> float -> float -> unit
 (** [set color r g b] puts a colour into [color], each channel limited as
-    {!Saturate.limit} does. *)
+    {!Raylab_scene.Saturate.limit} does. *)
 
 val color_of : color -> Color.t
 (** [color_of color] is what [color] holds. *)
