@@ -43,8 +43,13 @@ let prompt =
 let terminal ~greeting =
   UTop.prompt := React.S.const prompt;
   UTop.history_file_name := History.file ();
-  let greeting = lazy (greeting ()) in
-  UTop.at_new_command (fun () -> Lazy.force greeting);
+  let begin_ =
+    lazy
+      ((* utop raises when its terminal goes away, and may catch that itself *)
+       Sys.set_signal Sys.sighup Signal_default;
+       greeting ())
+  in
+  UTop.at_new_command (fun () -> Lazy.force begin_);
   (* utop has options of its own, which are not ours *)
   Toploop.override_sys_argv [| Sys.executable_name |];
   UTop_main.main ()

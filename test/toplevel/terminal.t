@@ -9,13 +9,16 @@
   > EOF
   $ sed 's/diffusive/difuse/' three.scene > broken.scene
 
-A server of our own, which does not survive the test, and a home of our own.
+A server of our own for each session, since one that is ending refuses another,
+and a home of our own. No server survives the test.
 
   $ mkdir home
   $ export TMUX_TMPDIR=$(mktemp -d /tmp/raylab-XXXXXX)
-  $ tmux () { command tmux -L raylab -f /dev/null "$@"; }
+  $ session=0
+  $ tmux () { command tmux -L raylab-$session -f /dev/null "$@"; }
   $ trap 'tmux kill-server 2> /dev/null; rm -rf "$TMUX_TMPDIR"' EXIT
   $ start () {
+  >   session=$((session + 1))
   >   tmux new-session -d -x 80 -y 99 \
   >     "env -u XDG_STATE_HOME -u XDG_CONFIG_HOME -u NO_COLOR HOME='$PWD/home' \
   >       '$(command -v raylab)' repl $1; exec cat"
@@ -135,11 +138,23 @@ was typed the last time.
   raylab #
   $ tmux kill-server
 
+The prompt ends with its terminal.
+
+  $ start three.scene
+  $ wait_until has_prompts 1
+  $ type 'Unix.getpid ();;'
+  $ wait_until has_prompts 2
+  $ prompt=$(screen | sed -n 's/^- : int = //p')
+  $ tmux kill-server
+  $ is_gone () { ! kill -0 $prompt 2> /dev/null; }
+  $ wait_until is_gone
+
 Any utop
 --------
 
 In another utop the words and printers come with Prelude.
 
+  $ session=$((session + 1))
   $ tmux new-session -d -x 80 -y 99 \
   >   "env -u XDG_CONFIG_HOME NO_COLOR=1 HOME='$PWD/home' \
   >     utop -require raylab.toplevel; exec cat"
