@@ -56,3 +56,9 @@ let write path text =
       Out_channel.output_string channel text)
 
 let formats = List.map snd Picture_file.formats
+let test name f = Alcotest.test_case name `Quick (in_new_folder f)
+
+let for_each name f =
+  List.map
+    (fun (extension, format) -> test (name ^ " " ^ extension) (f format))
+    Picture_file.formats

@@ -37,3 +37,12 @@ val write : string -> string -> unit
 
 val formats : Picture_file.format list
 (** [formats] is all of them. *)
+
+val test : string -> (string -> unit) -> unit Alcotest.test_case
+(** [test name f] is a test of [f] {!in_new_folder}. *)
+
+val for_each :
+  string ->
+  (Picture_file.format -> string -> unit) ->
+  unit Alcotest.test_case list
+(** [for_each name f] is a {!val-test} of each format. *)

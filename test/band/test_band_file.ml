@@ -1,5 +1,4 @@
 open Raylab_tracer
-open Raylab_picture
 open Raylab_band
 open Test_support
 
@@ -55,19 +54,12 @@ let test_changed format =
               Expect.contains "its name" ~part:path message
           | _ -> Alcotest.fail "read"))
 
-let test name f = Alcotest.test_case name `Quick (Sample.in_new_folder f)
-
-let for_each name f =
-  List.map
-    (fun (extension, format) -> test (name ^ " " ^ extension) (f format))
-    Picture_file.formats
-
 let suite =
   ( "Files",
-    for_each "read back" test_read
-    @ for_each "changed since" test_changed
+    Sample.for_each "read back" test_read
+    @ Sample.for_each "changed since" test_changed
     @ [
-        test "BMP for others" (test_ordinary Bmp Bmp.load);
-        test "PNG for others" (test_ordinary Png Png.load);
-        test "another size" test_size;
+        Sample.test "BMP for others" (test_ordinary Bmp Bmp.load);
+        Sample.test "PNG for others" (test_ordinary Png Png.load);
+        Sample.test "another size" test_size;
       ] )

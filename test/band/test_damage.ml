@@ -2,7 +2,6 @@
    no difference to the picture. *)
 
 open Raylab_tracer
-open Raylab_picture
 open Raylab_band
 open Test_support
 
@@ -144,20 +143,13 @@ let any_start =
          ])
       (string_size (int_bound 600)))
 
-let test name f = Alcotest.test_case name `Quick (Sample.in_new_folder f)
-
-let for_each name f =
-  List.map
-    (fun (extension, format) -> test (name ^ " " ^ extension) (f format))
-    Picture_file.formats
-
 let suite =
   ( "Damage",
-    for_each "any byte" test_flips
-    @ for_each "any length" test_cut
+    Sample.for_each "any byte" test_flips
+    @ Sample.for_each "any length" test_cut
     @ [
-        test "large sizes" test_large;
-        test "no picture in a PNG" test_empty_png;
-        test "other pixels in a PNG" test_packed;
+        Sample.test "large sizes" test_large;
+        Sample.test "no picture in a PNG" test_empty_png;
+        Sample.test "other pixels in a PNG" test_packed;
         Property.holds "any bytes" any_start is_told;
       ] )

@@ -152,15 +152,13 @@ let test_differing folder =
     "elsewhere" true
     (Result.is_ok (Join.check [ a; save "b" other 7 9 ]))
 
-let test name f = Alcotest.test_case name `Quick (Sample.in_new_folder f)
-
 let suite =
   ( "Join",
     [
       Property.holds "any split is the whole" ~count:200 ~print any_split
         is_whole;
-      test "piece by piece" test_pieces;
-      test "missing rows" test_missing;
-      test "bands of other pictures" test_foreign;
-      test "overlaps that differ" test_differing;
+      Sample.test "piece by piece" test_pieces;
+      Sample.test "missing rows" test_missing;
+      Sample.test "bands of other pictures" test_foreign;
+      Sample.test "overlaps that differ" test_differing;
     ] )

@@ -65,13 +65,11 @@ let test_labels () =
     "another format" None
     (Uncompressed.label Bmp "P6\n# a b\n")
 
-let with_folder name f = Alcotest.test_case name `Quick (Sample.in_new_folder f)
-
 let suite =
   ( "Uncompressed",
     [
-      with_folder "BMP" (test_same Bmp Bmp);
-      with_folder "PPM" (test_same Ppm Ppm);
+      Sample.test "BMP" (test_same Bmp Bmp);
+      Sample.test "PPM" (test_same Ppm Ppm);
       Alcotest.test_case "rows of a BMP" `Quick test_bmp_rows;
       Alcotest.test_case "labels" `Quick test_labels;
     ] )
