@@ -19,8 +19,8 @@ type options = {
 let check_pixel { Camera.width; height; _ } (x, y) =
   if not (0 <= x && x < width && 0 <= y && y < height) then
     Command.usage_error
-      "pixel %d,%d is not in the picture: x is from 0 to %d, y from 0 to %d" x y
-      (width - 1) (height - 1)
+      "pixel %d,%d is not in the picture: x is from 0 to %d, y from 0 to %d" x
+      y (width - 1) (height - 1)
 
 let check_svg options =
   match (options.svg, options.pixels) with
@@ -114,8 +114,8 @@ let options =
   let open Arg in
   let pixels =
     let doc =
-      "The pixel: $(i,X) from the left and $(i,Y) from the top of the picture, \
-       both counted from 0."
+      "The pixel: $(i,X) from the left and $(i,Y) from the top of the \
+       picture, both counted from 0."
     in
     non_empty & pos_right 0 pixel [] & info [] ~docv:"X,Y" ~doc
   and form =
@@ -132,9 +132,10 @@ let options =
     value & vflag Text [ json; steps ]
   and svg =
     let doc =
-      "Draw the path of the rays, too, from above and from the side, and write \
-       that as SVG to $(docv), which appears whole or not at all. $(b,-) is \
-       standard output; nothing else goes there then. It takes one pixel."
+      "Draw the path of the rays, too, from above and from the side, and \
+       write that as SVG to $(docv), which appears whole or not at all. \
+       $(b,-) is standard output; nothing else goes there then. It takes one \
+       pixel."
     in
     value & opt (some string) None & info [ "svg" ] ~docv:"FILE" ~doc
   in
@@ -147,9 +148,9 @@ let cmd =
       `S Manpage.s_description;
       `P
         "Says why pixels of the picture of $(i,SCENE) have their colours: a \
-         summary, and then what the tracer did, ray by ray, and how the colour \
-         is put together. It is not a second opinion: the rendering itself is \
-         written down.";
+         summary, and then what the tracer did, ray by ray, and how the \
+         colour is put together. It is not a second opinion: the rendering \
+         itself is written down.";
       `P
         "On a terminal colours have a patch beside them, unless the \
          environment variable $(b,NO_COLOR) is set.";
@@ -160,9 +161,10 @@ let cmd =
       `Pre Json_schema.text;
       `P
         "Objects and lights are numbered by their place in the scene, from 1; \
-         $(b,line) is where the file has them. A NUMBER has all its digits; it \
-         is null where the computation left the range of doubles. New members \
-         may be added; a change that breaks readers gets a new version.";
+         $(b,line) is where the file has them. A NUMBER has all its digits; \
+         it is null where the computation left the range of doubles. New \
+         members may be added; a change that breaks readers gets a new \
+         version.";
     ]
   in
   Cmd.v

@@ -33,8 +33,8 @@ let parts =
 let out =
   let doc =
     "Write the picture to $(docv), whose extension says in which format: \
-     $(b,.bmp), $(b,.png) or $(b,.ppm); without extension it is BMP. $(b,-) is \
-     standard output, in BMP. A picture that is already there is replaced."
+     $(b,.bmp), $(b,.png) or $(b,.ppm); without extension it is BMP. $(b,-) \
+     is standard output, in BMP. A picture that is already there is replaced."
   in
   Arg.(
     required & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
@@ -49,14 +49,14 @@ let cmd =
       `S Manpage.s_description;
       `P
         "Puts bands together, and writes the picture that $(b,raylab render) \
-         would have written at once, byte for byte. It appears whole or not at \
-         all.";
+         would have written at once, byte for byte. It appears whole or not \
+         at all.";
       `P
         "Every band says in its file where it belongs and what it is part of, \
-         and has a checksum. Nothing is written, and what is wrong is told, if \
-         rows are missing, files are damaged, bands are of another scene, \
-         size, colour or version of raylab, or bands overlap and differ. Bands \
-         that overlap and agree may be given.";
+         and has a checksum. Nothing is written, and what is wrong is told, \
+         if rows are missing, files are damaged, bands are of another scene, \
+         size, colour or version of raylab, or bands overlap and differ. \
+         Bands that overlap and agree may be given.";
       `P
         "The bands are read piece by piece, whatever their size. Memory is \
          needed for a whole band only if it is a PNG, and for the whole \

@@ -37,7 +37,8 @@ let target { scene; out; _ } =
 
 let format options = function
   | Standard_output -> Picture_file.Bmp
-  | File path -> Output.format path ~inputs:[ options.scene ] ~named:"the scene"
+  | File path ->
+      Output.format path ~inputs:[ options.scene ] ~named:"the scene"
 
 let write format target band picture =
   let written =
@@ -191,9 +192,9 @@ let options show =
     value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc
   and rows =
     let doc =
-      "Render only rows $(docv), both included, counted from 0 at the top. The \
-       picture holds just these rows, and says in its file where they belong: \
-       $(b,raylab join) puts such bands together."
+      "Render only rows $(docv), both included, counted from 0 at the top. \
+       The picture holds just these rows, and says in its file where they \
+       belong: $(b,raylab join) puts such bands together."
     in
     value & opt (some rows) None & info [ "rows" ] ~docv:"A-B" ~doc
   and stats =
@@ -210,8 +211,8 @@ let options show =
     { scene; view; out; domains; rows; show; stats; quiet }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ Options.domains $ rows
-    $ show $ stats $ quiet)
+    const make $ Command.scene_arg $ Options.view $ out $ Options.domains
+    $ rows $ show $ stats $ quiet)
 
 let default_show =
   let either = function Never -> If_there_is_a_display | show -> show in
@@ -227,11 +228,13 @@ let command term =
         "Renders $(i,SCENE) and writes the picture to a file, which appears \
          whole or not at all.";
       `P
-        "While it works, and if standard error is a terminal, it shows how far \
-         it is and how long the rest will take.";
+        "While it works, and if standard error is a terminal, it shows how \
+         far it is and how long the rest will take.";
     ]
   in
-  Cmd.v (Command.info "render" ~doc:"render a scene to a picture file" man) term
+  Cmd.v
+    (Command.info "render" ~doc:"render a scene to a picture file" man)
+    term
 
 let cmd = command (Command.run Term.(const render $ options asked_for))
 let default_cmd = command default

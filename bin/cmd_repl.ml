@@ -57,8 +57,8 @@ let cmd =
       `S Manpage.s_description;
       `P
         "Starts utop, OCaml's prompt, with the library of raylab open and \
-         $(i,SCENE) loaded. $(b,help ()) lists what can be said there, such as \
-         $(b,pixel 320 240): why has this pixel its colour?";
+         $(i,SCENE) loaded. $(b,help ()) lists what can be said there, such \
+         as $(b,pixel 320 240): why has this pixel its colour?";
       `P
         "If $(i,SCENE) is in error that is reported, and the prompt comes up \
          with an empty scene. Without a terminal, what comes from standard \

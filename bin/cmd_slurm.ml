@@ -88,8 +88,8 @@ let slurm options () =
   check_bands options scene.camera;
   check_whole format scene.camera;
   let folder = absolute (Filename.remove_extension options.out ^ ".slurm") in
-  or_write_error
-    (Folder.write folder ~scene:(Source.text source) (job options scene.camera));
+  let job = job options scene.camera in
+  or_write_error (Folder.write folder ~scene:(Source.text source) job);
   if options.submit then submit folder
   else
     Command.say "wrote %s; to submit it, run %s" folder (Folder.submit folder)
@@ -131,7 +131,8 @@ let options =
     { scene; view; out; bands; cores; submit }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ bands $ cores $ submit)
+    const make $ Command.scene_arg $ Options.view $ out $ bands $ cores
+    $ submit)
 
 let cmd =
   let man =
@@ -141,8 +142,8 @@ let cmd =
         "Writes a job for Slurm: a folder with a copy of $(i,SCENE) and three \
          scripts, $(b,bands.sbatch), a job array that renders a band a task, \
          $(b,join.sbatch), which joins them, and $(b,submit), which submits \
-         both. They are made to be read, and may be edited. All nodes must see \
-         the folder and raylab under the same paths.";
+         both. They are made to be read, and may be edited. All nodes must \
+         see the folder and raylab under the same paths.";
       `P
         "A band that fails is tried again, and so is one whose node is lost. \
          When the job is submitted again, only the bands that are missing are \

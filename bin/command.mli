@@ -3,8 +3,8 @@
 (** {1 Messages} *)
 
 val tell : ('a, unit, string, unit) format4 -> 'a
-(** [tell "..." ...] prints a line on standard error, if that can be written to.
-    It prints {!Raylab_language.Source.printable} characters only. *)
+(** [tell "..." ...] prints a line on standard error, if that can be written
+    to. It prints {!Raylab_language.Source.printable} characters only. *)
 
 val say : ('a, unit, string, unit) format4 -> 'a
 (** [say "..." ...] is {!tell} with the name of the program before it. *)
@@ -38,8 +38,8 @@ val scene_arg : string Cmdliner.Term.t
 (** [scene_arg] is the positional argument SCENE. *)
 
 val load_scene : string -> Raylab_scene.Scene.t
-(** [load_scene path] is the scene at [path], or it prints what is wrong with it
-    on standard error and ends the program. *)
+(** [load_scene path] is the scene at [path], or it prints what is wrong with
+    it on standard error and ends the program. *)
 
 val read_scene : string -> Raylab_language.Source.t
 (** [read_scene path] is the text of the scene at [path], or likewise. *)

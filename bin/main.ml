@@ -18,9 +18,9 @@ let man =
       "$(mname) renders a scene, described by a short text file, by ray \
        tracing.";
     `P
-      "$(mname) $(i,SCENE), without the name of a command, renders $(i,SCENE), \
-       saves the picture beside it, under its name with $(b,.bmp), and shows \
-       it in a window if there is a display.";
+      "$(mname) $(i,SCENE), without the name of a command, renders \
+       $(i,SCENE), saves the picture beside it, under its name with \
+       $(b,.bmp), and shows it in a window if there is a display.";
   ]
 
 let program render =
@@ -34,7 +34,9 @@ let program render =
 let is_scene argument =
   ((not (String.starts_with ~prefix:"-" argument)) || argument = "-")
   && (not
-        (List.exists (fun c -> Cmd.name c = argument) (commands Cmd_render.cmd)))
+        (List.exists
+           (fun c -> Cmd.name c = argument)
+           (commands Cmd_render.cmd)))
   && (Sys.file_exists argument
      || String.exists (fun c -> c = '.' || c = '/' || c = '-') argument)
 
@@ -55,9 +57,9 @@ let end_by_signal code _ =
   (try remove_temporary_files () with _ -> ());
   Unix._exit code
 
-(* What is opened first would take the place of a standard stream that is closed:
-   a window would get what is printed. Here one cannot be written to, or read, as
-   before. *)
+(* What is opened first would take the place of a standard stream that is
+   closed: a window would get what is printed. Here one cannot be written to,
+   or read, as before. *)
 let hold_places () =
   let hold (descriptor, flag) =
     try ignore (Unix.fstat descriptor : Unix.stats)
@@ -71,10 +73,13 @@ let hold_places () =
       (Unix.stderr, O_RDONLY);
     ]
 
-(* Manuals are printed by Cmdliner, which leaves to others what goes wrong then. *)
+(* Manuals are printed by Cmdliner, which leaves to others what goes wrong
+   then. *)
 let evaluate () =
   try
-    let code = Cmd.eval' ~catch:false ~err:Command.usage_errors ~argv program in
+    let code =
+      Cmd.eval' ~catch:false ~err:Command.usage_errors ~argv program
+    in
     Format.print_flush ();
     code
   with Sys_error reason ->

@@ -31,8 +31,8 @@ let size =
     | _ ->
         Error
           (Printf.sprintf
-             "'%s' is not a size: expected width and height in pixels, such as \
-              640x480"
+             "'%s' is not a size: expected width and height in pixels, such \
+              as 640x480"
              text)
   in
   conv parse ~docv:"WxH" (fun ppf (w, h) -> Format.fprintf ppf "%dx%d" w h)

@@ -5,8 +5,8 @@ open Cmdliner
 (** {1 Which picture} *)
 
 type view
-(** The type for what changes the picture of a scene: options --size and --grey.
-*)
+(** The type for what changes the picture of a scene: options --size and
+    --grey. *)
 
 val view : view Term.t
 (** [view] is these options. *)
@@ -39,7 +39,8 @@ val conv :
     messages. *)
 
 val natural : string -> int option
-(** [natural text] is the number that [text] is, if it is nothing but digits. *)
+(** [natural text] is the number that [text] is, if it is nothing but digits.
+*)
 
 val pair : char -> string -> (int * int) option
 (** [pair separator text] is the two naturals in a text such as [640x480]. *)

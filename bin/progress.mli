@@ -4,8 +4,8 @@ type t
 (** The type for progress lines. *)
 
 val start : quiet:bool -> t
-(** [start ~quiet] is a new progress line. It is shown on standard error, unless
-    [quiet] or standard error is not a terminal. *)
+(** [start ~quiet] is a new progress line. It is shown on standard error,
+    unless [quiet] or standard error is not a terminal. *)
 
 val update : t -> float -> unit
 (** [update line part] shows that [part] of the work, from 0 to 1, is done, and

@@ -35,8 +35,8 @@ let source ?out path ~load =
     | Some out -> save out
     | None when path = "-" ->
         fun _ ->
-          "raylab: a scene from standard input has no name to call its picture \
-           after: say where it goes with -o"
+          "raylab: a scene from standard input has no name to call its \
+           picture after: say where it goes with -o"
     | None -> save (Output.beside path)
   in
   let name = if path = "-" then "standard input" else Filename.basename path in

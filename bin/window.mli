@@ -24,9 +24,9 @@ val source :
   string ->
   load:(unit -> (Scene.t, string) result) ->
   Session.source
-(** [source ~out path ~load] loads the scene by [load], and saves the picture to
-    [out], by default beside [path] as BMP. *)
+(** [source ~out path ~load] loads the scene by [load], and saves the picture
+    to [out], by default beside [path] as BMP. *)
 
 val on_loss : unit -> 'a
-(** [on_loss ()] ends the program at once, successfully: the user has closed the
-    window. *)
+(** [on_loss ()] ends the program at once, successfully: the user has closed
+    the window. *)

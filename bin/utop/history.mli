@@ -2,5 +2,5 @@
 
 val file : unit -> string option
 (** [file ()] is [raylab/history] in the user's directory for state
-    ([$XDG_STATE_HOME], or [~/.local/state]), which it makes; [None] if there is
-    no home, or it cannot be made. *)
+    ([$XDG_STATE_HOME], or [~/.local/state]), which it makes; [None] if there
+    is no home, or it cannot be made. *)

@@ -1,5 +1,5 @@
 (** Where the prompt finds the interfaces of modules. *)
 
 val install : unit -> unit
-(** [install ()] makes the type checker look among {!Embedded.interfaces} before
-    it looks for a file. *)
+(** [install ()] makes the type checker look among {!Embedded.interfaces}
+    before it looks for a file. *)

@@ -4,7 +4,8 @@ let argument k =
   if k < Array.length Sys.argv && Sys.argv.(k) <> "" then Some Sys.argv.(k)
   else None
 
-(* [load path] tells what is wrong with the scene, and is whether it is right. *)
+(* [load path] tells what is wrong with the scene, and is whether it is
+   right. *)
 let load path =
   match Session.load path with
   | Ok scene ->

@@ -48,8 +48,8 @@ let difference a b =
 let color grey = if grey then "grey" else "rgb"
 
 let without_checksum { whole; first; last } =
-  Printf.sprintf "raylab-band 1 rows %d-%d of %dx%d %s scene %s raylab %s" first
-    last whole.width whole.height (color whole.grey)
+  Printf.sprintf "raylab-band 1 rows %d-%d of %dx%d %s scene %s raylab %s"
+    first last whole.width whole.height (color whole.grey)
     (Digest.to_hex whole.scene)
     whole.version
 
@@ -72,8 +72,9 @@ let of_label text =
   match scan text with
   (* Scanf takes more than [label] makes, such as blanks and zeros *)
   | band, crc
-    when is_valid band && String.length crc = 8 && with_checksum band crc = text
-    ->
+    when is_valid band
+         && String.length crc = 8
+         && with_checksum band crc = text ->
       Some (band, crc)
   | _ -> None
   | exception (Scanf.Scan_failure _ | Failure _ | End_of_file) -> None

@@ -11,15 +11,15 @@ type whole = {
     together. *)
 
 type t = private { whole : whole; first : int; last : int }
-(** The type for bands: rows [first] to [last], both included, counted from 0 at
-    the top. *)
+(** The type for bands: rows [first] to [last], both included, counted from 0
+    at the top. *)
 
 val make : whole -> first:int -> last:int -> t
 (** [make whole ~first ~last] is that band of [whole].
 
-    Raises [Invalid_argument] if there are no such rows, width or height are not
-    between 1 and {!Raylab_scene.Camera.max_size}, or [version] is not of one to
-    32 letters, digits, points, dashes, pluses and tildes. *)
+    Raises [Invalid_argument] if there are no such rows, width or height are
+    not between 1 and {!Raylab_scene.Camera.max_size}, or [version] is not of
+    one to 32 letters, digits, points, dashes, pluses and tildes. *)
 
 val rows : t -> int
 (** [rows band] is how many rows it has. *)
@@ -31,9 +31,11 @@ val difference : whole -> whole -> string option
 (** {1 Labels}
 
     A label is a line of ASCII that travels in the file of a band, such as
+    this, which is broken here:
 
     {v
-    raylab-band 1 rows 10-19 of 60x40 rgb scene 0cc175b9c0f1b6a831c399e269772661 raylab 0.1.0 crc32 e8b7be43
+    raylab-band 1 rows 10-19 of 60x40 rgb scene 0cc175b9c0f1b6a831c399e269772661
+    raylab 0.1.0 crc32 e8b7be43
     v}
 
     [1] is the version of labels, [rgb] may be [grey], and the checksum at the

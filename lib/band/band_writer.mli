@@ -1,5 +1,5 @@
-(** Writing bands: ordinary pictures of a band's rows, with its {!Band.label} in
-    a place where viewers do not mind it.
+(** Writing bands: ordinary pictures of a band's rows, with its {!Band.label}
+    in a place where viewers do not mind it.
 
     - In a PPM it is the first comment.
     - In a BMP it lies between the headers and the pixels, and ends with a byte
@@ -15,8 +15,8 @@ val save :
   Band.t ->
   Picture.t ->
   (unit, string) result
-(** [save format ~path band rows] writes the picture [rows] of [band] to [path];
-    see {!Raylab_picture.Picture_file.save}.
+(** [save format ~path band rows] writes the picture [rows] of [band] to
+    [path]; see {!Raylab_picture.Picture_file.save}.
 
     Raises [Invalid_argument] if [rows] has another size than [band]. *)
 

@@ -46,7 +46,8 @@ let difference ~width (piece : _ Cover.piece) file =
             not (Bytes.equal (rows ~first ~count:1) (others ~first ~count:1))
           in
           let in_piece (first, count) =
-            if Bytes.equal (rows ~first ~count) (others ~first ~count) then None
+            if Bytes.equal (rows ~first ~count) (others ~first ~count) then
+              None
             else Seq.find differs (Seq.take count (Seq.ints first))
           in
           Seq.find_map in_piece

@@ -10,5 +10,5 @@ val find : string -> string option
 
 val is_whole : string -> width:int -> height:int -> bool
 (** [is_whole png ~width ~height] is whether [png] is a PNG file of this size,
-    with 24 bits a pixel, whose chunks are all there and have the checksums that
-    they should have. *)
+    with 24 bits a pixel, whose chunks are all there and have the checksums
+    that they should have. *)

@@ -1,5 +1,5 @@
-(** Rows of a picture, piece by piece. Rows are counted from 0 at the top of the
-    whole picture. *)
+(** Rows of a picture, piece by piece. Rows are counted from 0 at the top of
+    the whole picture. *)
 
 type t = first:int -> count:int -> bytes
 (** The type for ways to get rows, [count] of them from [first] on: their red,

@@ -1,9 +1,9 @@
-(** Files of the formats that hold rows one after another, BMP and PPM, piece by
-    piece.
+(** Files of the formats that hold rows one after another, BMP and PPM, piece
+    by piece.
 
     The library that writes the other picture files takes whole pictures only.
-    What is made here is, byte for byte, what it makes, and a label: a text that
-    viewers do not show. *)
+    What is made here is, byte for byte, what it makes, and a label: a text
+    that viewers do not show. *)
 
 type t =
   | Bmp  (** the lowest row first; the label lies before the pixels *)
@@ -29,8 +29,8 @@ val encode : t -> width:int -> bytes -> bytes
     [rgb] itself. *)
 
 val decode : t -> width:int -> bytes -> bytes
-(** [decode format ~width bytes] is the [rgb] of which [bytes] are {!encode}, or
-    [bytes] itself. *)
+(** [decode format ~width bytes] is the [rgb] of which [bytes] are {!encode},
+    or [bytes] itself. *)
 
 val write :
   t ->

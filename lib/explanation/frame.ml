@@ -22,7 +22,9 @@ let middle = function
 
 (* How far from the eye something may be. *)
 let range (scene : Scene.t) balls hits =
-  let { Camera.canvas_width = w; canvas_height = h; depth; _ } = scene.camera in
+  let { Camera.canvas_width = w; canvas_height = h; depth; _ } =
+    scene.camera
+  in
   let eye = Camera.eye scene.camera in
   let usual = 2. *. Float.max depth (Float.max w h) in
   let distances =
@@ -59,7 +61,8 @@ let widen { low; high } =
   let { Vec3.x; y; z } = Vec3.sub high low in
   let longest = Float.max smallest (Float.max x (Float.max y z)) in
   let grow side =
-    (Float.max 0. ((least_side *. longest) -. side) /. 2.) +. (margin *. longest)
+    (Float.max 0. ((least_side *. longest) -. side) /. 2.)
+    +. (margin *. longest)
   in
   let more = Vec3.make (grow x) (grow y) (grow z) in
   { low = Vec3.sub low more; high = Vec3.add high more }

@@ -25,7 +25,8 @@ let shape shape : Yojson.Safe.t =
     | Number x -> (name, number x)
     | Vector v -> (name, vector v)
   in
-  `Assoc (("kind", text (Shape.name shape)) :: List.map part (Shape.parts shape))
+  `Assoc
+    (("kind", text (Shape.name shape)) :: List.map part (Shape.parts shape))
 
 let rec surface s : Yojson.Safe.t =
   let weighted (weight, s) =

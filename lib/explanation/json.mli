@@ -35,9 +35,9 @@
                 "parts": [{ "weight": NUMBER, "surface": SURFACE }, ...] }
 
     WORD    = what the scene language calls it
-    PART    = what it takes there, in that order, by name: a "sphere" has "centre"
-              and "radius", a "plane" has "point" and "normal"; "diffusive" and
-              "luminous" have "color"
+    PART    = what it takes there, in that order, by name:
+              a "sphere" has "centre" and "radius", a "plane" has "point"
+              and "normal"; "diffusive" and "luminous" have "color"
 
     LIGHT   = { "number": INT, "line": INT or null,
                 "kind": "directional" or "spherical",
@@ -74,5 +74,5 @@ val document : ((int * int) * Explain.t) list -> Yojson.Safe.t
     its place. *)
 
 val to_string : Yojson.Safe.t -> string
-(** [to_string json] is [json] laid out for a reader, or, if it nests very deep,
-    on one line; with a line end. *)
+(** [to_string json] is [json] laid out for a reader, or, if it nests very
+    deep, on one line; with a line end. *)

@@ -31,9 +31,9 @@ SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
             "parts": [{ "weight": NUMBER, "surface": SURFACE }, ...] }
 
 WORD    = what the scene language calls it
-PART    = what it takes there, in that order, by name: a "sphere" has "centre"
-          and "radius", a "plane" has "point" and "normal"; "diffusive" and
-          "luminous" have "color"
+PART    = what it takes there, in that order, by name:
+          a "sphere" has "centre" and "radius", a "plane" has "point"
+          and "normal"; "diffusive" and "luminous" have "color"
 
 LIGHT   = { "number": INT, "line": INT or null,
             "kind": "directional" or "spherical",

@@ -4,7 +4,10 @@ open Raylab_scene
 let most = 20
 let inset = 24.
 let ink = "#b26a00"
-let style = Printf.sprintf {|fill="#ffd54f" stroke="%s" stroke-width="1.5"|} ink
+
+let style =
+  Printf.sprintf {|fill="#ffd54f" stroke="%s" stroke-width="1.5"|} ink
+
 let rays = Printf.sprintf {|stroke="%s" stroke-width="1.5"|} ink
 
 let label view (x, y) words =

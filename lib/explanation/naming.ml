@@ -66,7 +66,8 @@ let luminous emission =
   | true, word -> "faintly luminous " ^ word
   | false, word -> "luminous " ^ word
 
-let mirror part = if part = 1. then "mirror" else Words.percent part ^ " mirror"
+let mirror part =
+  if part = 1. then "mirror" else Words.percent part ^ " mirror"
 
 let by_look number (o : Object.t) =
   let shape = Shape.name o.shape in

@@ -10,8 +10,8 @@ val by_number : int -> Object.t -> string
 *)
 
 val by_look : int -> Object.t -> string
-(** [by_look k o] says what [o] looks like, and then which one it is, without an
-    article: [red sphere (object 2, line 30)], [mirror (sphere 4, line 34)],
+(** [by_look k o] says what [o] looks like, and then which one it is, without
+    an article: [red sphere (object 2, line 30)], [mirror (sphere 4, line 34)],
     [mix of 85 % yellow and 15 % mirror (sphere 9, line 32)],
     [luminous white sphere (object 4)]. The words depend on what the surface
     denotes: it makes no difference how mixes nest, and what glows is not

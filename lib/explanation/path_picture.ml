@@ -73,7 +73,9 @@ let to_svg ?pixel scene e =
   in
   let sentence = Summary.to_string ?pixel e in
   let lines = wrap (width -. (2. *. gap)) sentence in
-  let top = gap +. (text_line *. float_of_int (List.length lines)) +. caption in
+  let top =
+    gap +. (text_line *. float_of_int (List.length lines)) +. caption
+  in
   let panel name words view =
     draw_panel ~name words scene e { view with View.top }
   in

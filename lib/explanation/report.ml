@@ -84,7 +84,8 @@ let rec print_ray style ppf number (e : Explain.t) =
       line ppf indent "the chain has ended:@ the background,@ %a" (color style)
         e.color
   | Missed ->
-      line ppf indent "hits nothing:@ the background,@ %a" (color style) e.color
+      line ppf indent "hits nothing:@ the background,@ %a" (color style)
+        e.color
   | Hit h ->
       print_hit ppf indent h;
       print_lights style ppf indent h;
@@ -106,4 +107,6 @@ let pp_tree ?(swatches = Swatch.None) ppf e =
   pf ppf "@]"
 
 let pp ?swatches ?pixel ppf e =
-  pf ppf "@[<v>%a@,@,%a@]" (pp_summary ?swatches ?pixel) e (pp_tree ?swatches) e
+  pf ppf "@[<v>%a@,@,%a@]"
+    (pp_summary ?swatches ?pixel)
+    e (pp_tree ?swatches) e

@@ -10,8 +10,8 @@ val pp :
   Format.formatter ->
   Explain.t ->
   unit
-(** [pp ppf e] prints {!Summary.to_string}, an empty line, and the tree, with no
-    line end after it. Lines are broken at the formatter's margin.
+(** [pp ppf e] prints {!Summary.to_string}, an empty line, and the tree, with
+    no line end after it. Lines are broken at the formatter's margin.
 
     Rays are numbered along the chain. Each is told with what it hits, the
     surface as it is written and what it denotes, each light with its verdict,

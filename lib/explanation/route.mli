@@ -9,8 +9,8 @@ val draw : View.t -> Explain.t -> Svg.t list
     most 200 rays are drawn. *)
 
 val directional_lights : Explain.t -> int list
-(** [directional_lights e] is the numbers of the directional lights that {!draw}
-    shows, by an arrow where the light comes in. *)
+(** [directional_lights e] is the numbers of the directional lights that
+    {!draw} shows, by an arrow where the light comes in. *)
 
 val legend : Svg.point -> Svg.t list
 (** [legend corner] explains the kinds of rays, in one line. *)

@@ -97,8 +97,8 @@ let objects (view : View.t) scene e =
 
 (* {1 Eye and canvas} *)
 
-let eye_and_canvas view { Camera.canvas_width = w; canvas_height = h; depth; _ }
-    =
+let eye_and_canvas view
+    { Camera.canvas_width = w; canvas_height = h; depth; _ } =
   let low, high =
     match view.View.side with
     | Above -> (Vec3.make (w /. -2.) 0. 0., Vec3.make (w /. 2.) 0. 0.)

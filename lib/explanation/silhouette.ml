@@ -45,7 +45,9 @@ let trace (view : View.t) { Plane.point; normal } level =
   let squared = (a *. a) +. (b *. b) in
   if squared < 1e-12 then None
   else
-    let rest = Vec3.dot n point -. (level *. View.towards_viewer view.side n) in
+    let rest =
+      Vec3.dot n point -. (level *. View.towards_viewer view.side n)
+    in
     let in_space u v =
       match view.side with
       | Above -> Vec3.make u level v

@@ -11,6 +11,6 @@ type look = {
 val draw :
   View.t -> look -> level:float -> Outline.t -> (Svg.t * View.point) option
 (** [draw view look ~level outline] is the drawing of [outline] and the place
-    where its label belongs. A ball is a circle, a piece of a plane a polygon; a
-    plane without end is the line in which it cuts the plane of the view at
+    where its label belongs. A ball is a circle, a piece of a plane a polygon;
+    a plane without end is the line in which it cuts the plane of the view at
     [level]. [None] if nothing of it can be drawn in the panel. *)

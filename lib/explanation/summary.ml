@@ -142,7 +142,8 @@ let reason (e : Explain.t) =
   let article, what =
     match e.outcome with
     | Hit _ -> (Words.a, "")
-    | Missed -> ((fun phrase -> "the " ^ phrase), ", since the ray hits nothing")
+    | Missed ->
+        ((fun phrase -> "the " ^ phrase), ", since the ray hits nothing")
     | Chain_ended -> ((fun phrase -> "the " ^ phrase), "")
   in
   describe ~depth:e.left ~article (path e) ^ what ^ over_exposed e.color

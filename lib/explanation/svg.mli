@@ -32,7 +32,7 @@ val polygon : style:string -> point list -> t
 
 val text :
   ?anchor:string -> ?size:float -> ?color:string -> point -> string -> t
-(** [text p s] is the text [s], any string, starting at [p] or ending or centred
-    there as [anchor] says ([start], [end] or [middle]), with a white rim that
-    keeps it legible. U+FFFD stands for what XML cannot hold: control characters
-    and bytes that are not UTF-8. *)
+(** [text p s] is the text [s], any string, starting at [p] or ending or
+    centred there as [anchor] says ([start], [end] or [middle]), with a white
+    rim that keeps it legible. U+FFFD stands for what XML cannot hold: control
+    characters and bytes that are not UTF-8. *)

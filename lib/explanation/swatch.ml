@@ -31,8 +31,8 @@ let palette_entry (r, g, b) =
     square (r - r') + square (g - g') + square (b - b')
   in
   let level = 8 + (10 * grey) in
-  if distance level level level < distance levels.(i) levels.(j) levels.(k) then
-    232 + grey
+  if distance level level level < distance levels.(i) levels.(j) levels.(k)
+  then 232 + grey
   else 16 + (36 * i) + (6 * j) + k
 
 let pp swatch ppf color =

@@ -40,7 +40,8 @@ let clip view origin direction range =
   let range = Clip.narrow range ~from:x ~step:dx left (left +. width) in
   let t0, t1 = Clip.narrow range ~from:y ~step:dy top (top +. height) in
   let at t = (x +. (t *. dx), y +. (t *. dy)) in
-  if t0 < t1 && Float.is_finite t0 && Float.is_finite t1 then Some (at t0, at t1)
+  if t0 < t1 && Float.is_finite t0 && Float.is_finite t1 then
+    Some (at t0, at t1)
   else None
 
 let segment view origin direction length =

@@ -53,11 +53,11 @@ let[@inline] leaf_blocks (tree : Bvh_tree.t) place (ray : Raw_ray.t) =
   else Bvh_leaves.other_distance tree.leaves place ray < ray.reach
 
 (* Goes through the tree, the nearer child of each node first, with the other
-   children on [stack]. It narrows the ray's reach to the nearest hit on a leaf's
-   shape and is its place among the leaves, or -1. With [any] it stops at the
-   first hit that it meets. [endless] is the number of a shape outside the tree
-   that is already hit at the end of the reach. [others] is whether leaves may
-   have shapes that are no spheres. *)
+   children on [stack]. It narrows the ray's reach to the nearest hit on a
+   leaf's shape and is its place among the leaves, or -1. With [any] it stops
+   at the first hit that it meets. [endless] is the number of a shape outside
+   the tree that is already hit at the end of the reach. [others] is whether
+   leaves may have shapes that are no spheres. *)
 let[@inline always] descend ~any ~others tree stack endless (ray : Raw_ray.t) =
   let { Bvh_tree.boxes; links; leaves; root } = tree in
   let { Bvh_leaves.spheres; numbers; _ } = leaves in
@@ -83,8 +83,8 @@ let[@inline always] descend ~any ~others tree stack endless (ray : Raw_ray.t) =
       let node = !code in
       let at = 12 * node and link = 3 * node in
       let enters_first =
-        enters boxes at !best ox oy oz x_scale y_scale z_scale x_scale' y_scale'
-          z_scale' x_in y_in z_in x_out y_out z_out
+        enters boxes at !best ox oy oz x_scale y_scale z_scale x_scale'
+          y_scale' z_scale' x_in y_in z_in x_out y_out z_out
       and enters_second =
         enters boxes (at + 6) !best ox oy oz x_scale y_scale z_scale x_scale'
           y_scale' z_scale' x_in y_in z_in x_out y_out z_out

@@ -1,6 +1,6 @@
 (** The leaves of a bounding volume hierarchy: spheres, and the balls around
-    other shapes, as arrays of numbers that the building of the tree brings into
-    the order of its leaves. *)
+    other shapes, as arrays of numbers that the building of the tree brings
+    into the order of its leaves. *)
 
 type t = private {
   spheres : float array;  (** x, y, z and radius of each sphere or ball *)
@@ -9,9 +9,9 @@ type t = private {
 }
 
 val of_shapes : quick:bool -> Shape.t array -> t
-(** [of_shapes ~quick shapes] is those among [shapes] that have a {!Shape.ball},
-    each with the number that is its place there. Spheres count as other shapes
-    if [quick] is false. *)
+(** [of_shapes ~quick shapes] is those among [shapes] that have a
+    {!Shape.ball}, each with the number that is its place there. Spheres count
+    as other shapes if [quick] is false. *)
 
 val count : t -> int
 (** [count leaves] is the number of balls. *)
@@ -28,8 +28,8 @@ val swap : t -> int -> int -> unit
 
 val mark_others : quick:bool -> t -> unit
 (** [mark_others ~quick leaves] makes the radius of each ball infinite that is
-    not the shape itself, once the tree is built: so a ray that comes to it hits
-    the ball, and then {!other_distance} tells. *)
+    not the shape itself, once the tree is built: so a ray that comes to it
+    hits the ball, and then {!other_distance} tells. *)
 
 val other_distance : t -> int -> Raw_ray.t -> float
 (** [other_distance leaves place ray] is {!Shape.nearest_raw} of the shape at

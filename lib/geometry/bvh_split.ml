@@ -101,7 +101,8 @@ let[@inline] half_area (box : float array) =
   if x < 0. then 0. else (x *. y) +. (y *. z) +. (z *. x)
 
 (* [best_split space count] is the axis and the bin after which the heuristic
-   splits [count] spheres, and the cost, relative to the surface of the whole. *)
+   splits [count] spheres, and the cost, relative to the surface of the
+   whole. *)
 let best_split space =
   let bins = space.bins in
   let best_cost = ref infinity and best = ref None in

@@ -1,6 +1,6 @@
-(** Where to split a node of a bounding volume hierarchy: where the surface-area
-    heuristic says that a ray will have least to test, looked for at up to 16
-    places on each axis (I. Wald,
+(** Where to split a node of a bounding volume hierarchy: where the
+    surface-area heuristic says that a ray will have least to test, looked for
+    at up to 16 places on each axis (I. Wald,
     {e On fast construction of SAH-based bounding volume hierarchies}, 2007).
 
     Spheres are sorted by their centres into bins along each axis; a split lies
@@ -19,8 +19,8 @@ type t =
 
 val max_depth : int
 (** [max_depth] is a bound on the depth of any tree. Below a depth of 50 nodes
-    are halved whatever the heuristic says, which goes on for at most 40 levels:
-    no array has 2^40 elements. *)
+    are halved whatever the heuristic says, which goes on for at most 40
+    levels: no array has 2^40 elements. *)
 
 val choose :
   Bvh_leaves.t -> space -> max_leaf:int -> depth:int -> int -> int -> t
@@ -33,8 +33,8 @@ val last_bin : space -> int
 
 val partition : Bvh_leaves.t -> space -> int -> int -> int -> int -> int
 (** [partition leaves space axis bin first stop] moves the spheres of the bins
-    of [axis] up to [bin] to the front, and is the place where the others start.
-*)
+    of [axis] up to [bin] to the front, and is the place where the others
+    start. *)
 
 val box_of_bins : space -> int -> int -> int -> float array
 (** [box_of_bins space axis first last] is the box around the spheres in these

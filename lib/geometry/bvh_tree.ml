@@ -18,7 +18,8 @@ let max_depth = Bvh_split.max_depth
 
 (* {1 Boxes} *)
 
-(* A ray that touches a sphere may, by rounding errors, pass its box by a hair. *)
+(* A ray that touches a sphere may, by rounding errors, pass its box by a
+   hair. *)
 let room least greatest =
   0x1p-30 *. Float.max (abs_float least) (abs_float greatest)
 
@@ -47,13 +48,14 @@ let divide tree space node (split : Bvh_split.t) first stop =
       Bvh_split.partition leaves space axis bin first stop
   | Halves | Leaf ->
       let middle = (first + stop) / 2 in
-      write_box tree node 0 (Bvh_split.box_of_spheres leaves space first middle);
+      write_box tree node 0
+        (Bvh_split.box_of_spheres leaves space first middle);
       write_box tree node 1 (Bvh_split.box_of_spheres leaves space middle stop);
       tree.links.{(3 * node) + 2} <- 0;
       middle
 
-(* A part of the tree that is still to be built: whose child it is, which spheres
-   it has, and how deep it lies. *)
+(* A part of the tree that is still to be built: whose child it is, which
+   spheres it has, and how deep it lies. *)
 type part = { parent : int; first : int; stop : int; depth : int }
 
 (* [grow tree next_node space parts part] builds [part]; parts of at most

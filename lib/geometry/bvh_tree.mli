@@ -17,7 +17,8 @@ type t = private {
   root : int;  (** the code of the whole tree *)
 }
 (** The type for trees. An inner node's code is its number; a leaf's is
-    negative, see {!leaf_first} and {!leaf_last}; that of no node is {!none}. *)
+    negative, see {!leaf_first} and {!leaf_last}; that of no node is {!none}.
+*)
 
 val none : int
 (** [none] is the code of an empty tree. *)
@@ -32,5 +33,5 @@ val max_depth : int
 (** [max_depth] is a bound on the number of inner nodes above any leaf. *)
 
 val build : domains:int -> Bvh_leaves.t -> t
-(** [build ~domains leaves] is the tree over these spheres, which it brings into
-    the order of the leaves; split as {!Bvh_split} chooses. *)
+(** [build ~domains leaves] is the tree over these spheres, which it brings
+    into the order of the leaves; split as {!Bvh_split} chooses. *)

@@ -1,8 +1,8 @@
 (** Directions: vectors of length 1, which nothing else can build. *)
 
 type t = private Vec3.t
-(** The type for vectors whose length is 1 within rounding. Read one as a vector
-    with [(d :> Vec3.t)]. *)
+(** The type for vectors whose length is 1 within rounding. Read one as a
+    vector with [(d :> Vec3.t)]. *)
 
 val of_vec3 : Vec3.t -> t option
 (** [of_vec3 v] is the direction of [v], or [None] if [v] is the zero vector or
@@ -16,15 +16,16 @@ val of_vec3_exn : Vec3.t -> t
     Raises [Invalid_argument] where that is [None]. *)
 
 val of_vec3_or : t -> Vec3.t -> t
-(** [of_vec3_or default v] is the direction of [v], or [default] if it has none.
-*)
+(** [of_vec3_or default v] is the direction of [v], or [default] if it has
+    none. *)
 
 val neg : t -> t
 (** [neg d] is the opposite direction. *)
 
 val reflect : t -> normal:t -> t
 (** [reflect d ~normal] is [d] mirrored in the plane perpendicular to [normal]:
-    [d - 2 (d . n) n]. The side to which [normal] points makes no difference. *)
+    [d - 2 (d . n) n]. The side to which [normal] points makes no difference.
+*)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints like {!Vec3.pp}. *)

@@ -19,5 +19,5 @@ val pp : Format.formatter -> float -> unit
     [-1], [0.333333], [1e-07]. Negative zero is [0]. *)
 
 val to_exact_string : float -> string
-(** [to_exact_string x] is the shortest of the usual decimal forms of the finite
-    [x] from which [float_of_string] gives [x] back. *)
+(** [to_exact_string x] is the shortest of the usual decimal forms of the
+    finite [x] from which [float_of_string] gives [x] back. *)

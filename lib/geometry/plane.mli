@@ -28,9 +28,9 @@ val nearest : t -> Ray.t -> float
 
 val nearest_raw :
   float -> float -> float -> float -> float -> float -> Raw_ray.t -> float
-(** [nearest_raw px py pz nx ny nz ray] is {!nearest} for the plane through (px,
-    py, pz) with the unit normal (nx, ny, nz), for inner loops that keep planes
-    as numbers. *)
+(** [nearest_raw px py pz nx ny nz ray] is {!nearest} for the plane through
+    (px, py, pz) with the unit normal (nx, ny, nz), for inner loops that keep
+    planes as numbers. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [plane through (0, -1, 0) normal (0, 1, 0)]. *)

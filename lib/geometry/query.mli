@@ -6,8 +6,9 @@
 type t = {
   nearest : Raw_ray.t -> int;
       (** [nearest ray] is the number of the shape that [ray] hits first, or
-          {!no_shape}. Of shapes hit at the same distance it is the one with the
-          lowest number. The distance of the hit becomes the ray's reach. *)
+          {!no_shape}. Of shapes hit at the same distance it is the one with
+          the lowest number. The distance of the hit becomes the ray's reach.
+      *)
   blocked : int -> Raw_ray.t -> bool;
       (** [blocked series ray] is whether [ray] hits any shape. The ray's reach
           may be another afterwards. It changes nothing in the answer which

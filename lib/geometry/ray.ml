@@ -20,7 +20,8 @@ let origin (ray : t) = Vec3.make ray.ox ray.oy ray.oz
 let reach (ray : t) = ray.reach
 
 (* The only way in is [flat], so the length is still 1. *)
-let direction (ray : t) = Direction.of_vec3_exn (Vec3.make ray.dx ray.dy ray.dz)
+let direction (ray : t) =
+  Direction.of_vec3_exn (Vec3.make ray.dx ray.dy ray.dz)
 
 let[@inline] at (ray : t) t =
   Vec3.make
@@ -34,4 +35,5 @@ let reflect ray ~at ~normal =
 let pp ppf (ray : t) =
   Format.fprintf ppf "%a + t %a" Vec3.pp (origin ray) Direction.pp
     (direction ray);
-  if ray.reach < infinity then Format.fprintf ppf ", t < %a" Number.pp ray.reach
+  if ray.reach < infinity then
+    Format.fprintf ppf ", t < %a" Number.pp ray.reach

@@ -34,5 +34,5 @@ val reflect : t -> at:Vec3.t -> normal:Direction.t -> t
     direction of [ray] mirrored by a surface with this [normal]. *)
 
 val pp : Format.formatter -> t -> unit
-(** [pp] prints [(0, 0, -4) + t (0, 0, 1)], followed by [, t < 3] if the ray has
-    an end. *)
+(** [pp] prints [(0, 0, -4) + t (0, 0, 1)], followed by [, t < 3] if the ray
+    has an end. *)

@@ -2,9 +2,9 @@
 
     A new shape is a module of its own like {!module-Sphere}, a constructor
     here, and a case in each function below that the compiler asks for; see
-    [doc/adding-a-shape.md]. Nothing else that renders or explains a scene knows
-    which shapes there are, but for the hierarchy and the evaluator, which have
-    a quicker way for spheres. *)
+    [doc/adding-a-shape.md]. Nothing else that renders or explains a scene
+    knows which shapes there are, but for the hierarchy and the evaluator,
+    which have a quicker way for spheres. *)
 
 type t = Sphere of Sphere.t | Plane of Plane.t  (** The type for shapes. *)
 
@@ -21,13 +21,13 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
 (** {1 What is hit} *)
 
 val intersections : t -> Ray.t -> float list
-(** [intersections shape ray] is all distances [t], in ascending order, at which
-    the line of [ray] meets [shape]; negative ones lie behind the ray's origin.
-    The ray's reach is not looked at. *)
+(** [intersections shape ray] is all distances [t], in ascending order, at
+    which the line of [ray] meets [shape]; negative ones lie behind the ray's
+    origin. The ray's reach is not looked at. *)
 
 val nearest : t -> Ray.t -> float
-(** [nearest shape ray] is the least of {!intersections} that is greater than 0,
-    or [infinity] if there is none. *)
+(** [nearest shape ray] is the least of {!intersections} that is greater than
+    0, or [infinity] if there is none. *)
 
 val nearest_raw : t -> Raw_ray.t -> float
 (** [nearest_raw shape ray] is {!nearest} for a ray in a register. *)
@@ -56,8 +56,8 @@ val outline : t -> Outline.t
 (** [outline shape] is how [shape] is drawn and spoken of. *)
 
 val equal : t -> t -> bool
-(** [equal a b] is whether [a] and [b] are the same shape with the same numbers.
-*)
+(** [equal a b] is whether [a] and [b] are the same shape with the same
+    numbers. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [sphere centre (0, 0, 6) radius 1] and

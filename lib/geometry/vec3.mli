@@ -28,8 +28,8 @@ val dot : t -> t -> float
 (** [dot u v] is the scalar product of [u] and [v]. *)
 
 val length_squared : t -> float
-(** [length_squared v] is [dot v v]. It overflows to infinity from components of
-    about 1e154 on, and underflows to 0 below about 1e-162. *)
+(** [length_squared v] is [dot v v]. It overflows to infinity from components
+    of about 1e154 on, and underflows to 0 below about 1e-162. *)
 
 val length : t -> float
 (** [length v] is the Euclidean length of [v], with the limits of
@@ -43,8 +43,8 @@ val is_finite : t -> bool
 (** [is_finite v] is whether every component of [v] is finite. *)
 
 val equal : t -> t -> bool
-(** [equal u v] is whether the components are equal as numbers: 0 equals -0, NaN
-    equals nothing. *)
+(** [equal u v] is whether the components are equal as numbers: 0 equals -0,
+    NaN equals nothing. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [(1, 2.5, -3)]; see {!Number.pp}. *)

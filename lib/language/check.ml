@@ -51,7 +51,8 @@ let check_object words { Syntax.shape; surface; _ } =
 
 let light { Syntax.source; intensity; color; line; _ } =
   match source with
-  | Directional direction -> Light.directional ~line ~intensity ~color direction
+  | Directional direction ->
+      Light.directional ~line ~intensity ~color direction
   | Point position -> Light.point ~line ~intensity ~color position
 
 let shape = function

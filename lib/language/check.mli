@@ -1,5 +1,5 @@
-(** From syntax to a scene: every rule about numbers, and which settings must be
-    there. *)
+(** From syntax to a scene: every rule about numbers, and which settings must
+    be there. *)
 
 open Raylab_scene
 

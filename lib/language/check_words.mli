@@ -28,4 +28,5 @@ val direction : t -> string -> Vec3.t -> unit
     zero vector. *)
 
 val color : t -> string -> Color.t -> unit
-(** [color words name color] takes the name of [color], or its three numbers. *)
+(** [color words name color] takes the name of [color], or its three numbers.
+*)

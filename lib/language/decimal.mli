@@ -7,7 +7,7 @@ val of_bytes : bytes -> first:int -> stop:int -> float
     language gives to numbers: a sign, digits with a point, an exponent.
 
     Most numbers in files have few digits: at most 15 and a power of ten up to
-    10^22 are both exact as doubles, and one multiplication or division of exact
-    numbers is rounded correctly (W. D. Clinger,
-    {e How to read floating point numbers accurately}, 1990). Others are left to
-    [float_of_string]. *)
+    10^22 are both exact as doubles, and one multiplication or division of
+    exact numbers is rounded correctly (W. D. Clinger,
+    {e How to read floating point numbers accurately}, 1990). Others are left
+    to [float_of_string]. *)

@@ -19,5 +19,5 @@ val check_value : t -> Number.rule -> string -> Span.t -> float -> unit
     was read from [span] and is called [name], breaks [rule]. *)
 
 val errors : t -> Scene_error.t list
-(** [errors findings] is all errors, in the order of the text. If there are more
-    than 100,000 the last says only how many there are. *)
+(** [errors findings] is all errors, in the order of the text. If there are
+    more than 100,000 the last says only how many there are. *)

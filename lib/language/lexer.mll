@@ -13,7 +13,8 @@ let word text =
 let blank = [' ' '\t' '\r' '\011' '\012']
 let digits = ['0'-'9']+
 let number =
-  ['+' '-']? (digits ('.' ['0'-'9']*)? | '.' digits) (['e' 'E'] ['+' '-']? digits)?
+  ['+' '-']? (digits ('.' ['0'-'9']*)? | '.' digits)
+  (['e' 'E'] ['+' '-']? digits)?
 
 rule token = parse
   | blank+ | '#' [^ '\n']* { token lexbuf }

@@ -1,5 +1,5 @@
-(* The line at the first byte of each block of [block] bytes is known; from there
-   on one looks. *)
+(* The line at the first byte of each block of [block] bytes is known; from
+   there on one looks. *)
 let block = 4096
 
 type line = { number : int; start : int; stop : int }

@@ -93,7 +93,8 @@ objects:
         :: objects }
 
 shape:
-  | "sphere" centre = vector radius = number { Syntax.Sphere { centre; radius } }
+  | "sphere" centre = vector radius = number
+    { Syntax.Sphere { centre; radius } }
   | "plane" point = vector normal = vector { Syntax.Plane { point; normal } }
 
 surface:

@@ -36,7 +36,8 @@ let pp_place ppf = function
   | None -> ()
   | Some { Source.line; first; last } when first = last ->
       Format.fprintf ppf ":%d:%d" line first
-  | Some { line; first; last } -> Format.fprintf ppf ":%d:%d-%d" line first last
+  | Some { line; first; last } ->
+      Format.fprintf ppf ":%d:%d-%d" line first last
 
 let pp_lines ppf text =
   if text <> "" then

@@ -66,8 +66,12 @@ let load path = Result.bind (read path) parse
 (* {1 Printing} *)
 
 let number = Number.to_exact_string
-let vector { Vec3.x; y; z } = String.concat " " [ number x; number y; number z ]
-let color { Color.r; g; b } = String.concat " " [ number r; number g; number b ]
+
+let vector { Vec3.x; y; z } =
+  String.concat " " [ number x; number y; number z ]
+
+let color { Color.r; g; b } =
+  String.concat " " [ number r; number g; number b ]
 
 let print_light ppf (light : Light.t) =
   Format.fprintf ppf "%s %s %s %s@\n" (Light.name light)

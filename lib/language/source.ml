@@ -15,7 +15,8 @@ let printable text =
         || code = 0xfeff
       in
       if code = 0x09 then Buffer.add_char out ' '
-      else if is_control || is_format || not (Uchar.utf_decode_is_valid decoded)
+      else if
+        is_control || is_format || not (Uchar.utf_decode_is_valid decoded)
       then Buffer.add_utf_8_uchar out Uchar.rep
       else Buffer.add_utf_8_uchar out (Uchar.of_int code);
       copy (i + Uchar.utf_decode_length decoded))

@@ -32,9 +32,9 @@ val quote : t -> Span.t -> string
     it is long. *)
 
 val next_word : t -> int -> Span.t
-(** [next_word source offset] is the first word that starts at [offset] or after
-    it, comments left out; the empty span at the end of the text if there is
-    none. *)
+(** [next_word source offset] is the first word that starts at [offset] or
+    after it, comments left out; the empty span at the end of the text if there
+    is none. *)
 
 val excerpt : t -> Span.t -> string * int * int
 (** [excerpt source span] is [(line, before, length)]: the {!printable} text of

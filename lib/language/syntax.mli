@@ -1,9 +1,9 @@
-(** Scenes as they are written: parsed, but no number checked yet. A setting may
-    be missing or stand twice, a radius may be negative. {!Check.scene} makes a
-    {!Raylab_scene.Scene.t} of it, or says what is wrong and where.
+(** Scenes as they are written: parsed, but no number checked yet. A setting
+    may be missing or stand twice, a radius may be negative. {!Check.scene}
+    makes a {!Raylab_scene.Scene.t} of it, or says what is wrong and where.
 
-    A light or object only knows where it starts: a scene may have millions, and
-    the places of single numbers are wanted only where one is in error. *)
+    A light or object only knows where it starts: a scene may have millions,
+    and the places of single numbers are wanted only where one is in error. *)
 
 open Raylab_geometry
 open Raylab_scene

@@ -39,7 +39,8 @@ let reporting name f =
   match f () with
   | () -> Ok ()
   | exception Unix.Unix_error (code, _, _) -> error (Unix.error_message code)
-  | exception (Sys_error reason | Failure reason) -> error (without_path reason)
+  | exception (Sys_error reason | Failure reason) ->
+      error (without_path reason)
 
 let copy_to channel path =
   In_channel.with_open_bin path (fun source ->

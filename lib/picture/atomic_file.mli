@@ -1,9 +1,9 @@
 (** Files that appear whole or not at all. *)
 
 val save : path:string -> (string -> unit) -> (unit, string) result
-(** [save ~path write] lets [write] fill a new file, whose name it is given, and
-    makes it the file at [path]: it lies beside [path], is flushed to the disk
-    and then renamed. If anything fails the result is a message that names
+(** [save ~path write] lets [write] fill a new file, whose name it is given,
+    and makes it the file at [path]: it lies beside [path], is flushed to the
+    disk and then renamed. If anything fails the result is a message that names
     [path] and the reason, and what was at [path] before is untouched. A
     symbolic link is followed. What is not a regular file, such as a device, is
     written to directly.

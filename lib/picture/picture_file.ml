@@ -47,8 +47,8 @@ let check_size format ~width ~height =
   if bytes > float_of_int most_bytes then
     Error
       (Printf.sprintf
-         "a picture of %d x %d pixels would take %.1f GiB of memory; the limit \
-          is %d GiB"
+         "a picture of %d x %d pixels would take %.1f GiB of memory; the \
+          limit is %d GiB"
          width height (bytes /. 0x1p30) (most_bytes lsr 30))
   else check_format format ~width ~height
 

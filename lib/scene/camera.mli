@@ -21,8 +21,8 @@ val make :
   canvas_height:float ->
   depth:float ->
   t
-(** [make ~width ~height ~canvas_width ~canvas_height ~depth] is the camera with
-    these numbers.
+(** [make ~width ~height ~canvas_width ~canvas_height ~depth] is the camera
+    with these numbers.
 
     Raises [Invalid_argument] if one is not finite or not greater than 0, or
     [width] or [height] is greater than {!max_size}. *)
@@ -31,8 +31,8 @@ val max_size : int
 (** [max_size] is 2^31 - 1: no picture format knows a larger number. *)
 
 val with_size : width:int -> height:int -> t -> t
-(** [with_size ~width ~height camera] looks at the same canvas with a picture of
-    this size.
+(** [with_size ~width ~height camera] looks at the same canvas with a picture
+    of this size.
 
     Raises [Invalid_argument] if [width] or [height] is less than 1 or greater
     than {!max_size}. *)
@@ -41,8 +41,8 @@ val eye : t -> Vec3.t
 (** [eye camera] is the point (0, 0, -depth). *)
 
 val scale : t -> float
-(** [scale camera] is a length that tells how large the scene's lengths are: the
-    smallest of canvas width, canvas height and depth. *)
+(** [scale camera] is a length that tells how large the scene's lengths are:
+    the smallest of canvas width, canvas height and depth. *)
 
 val primary_ray : t -> x:int -> y:int -> Ray.t
 (** [primary_ray camera ~x ~y] is the ray from the eye through the centre of
@@ -55,12 +55,12 @@ val aim : t -> x:int -> y:int -> Raw_ray.t -> unit
 (** {1 From space to the picture}
 
     Places in the picture are in pixels from the left and from the top; the
-    centre of pixel [(x, y)] is at [(x + 1/2, y + 1/2)]. They may be outside the
-    picture. *)
+    centre of pixel [(x, y)] is at [(x + 1/2, y + 1/2)]. They may be outside
+    the picture. *)
 
 val project : t -> Vec3.t -> (float * float) option
-(** [project camera p] is where the eye sees [p], the inverse of {!primary_ray}.
-    [None] if [p] is not before the eye. *)
+(** [project camera p] is where the eye sees [p], the inverse of
+    {!primary_ray}. [None] if [p] is not before the eye. *)
 
 val project_ray :
   t -> Ray.t -> length:float -> ((float * float) * (float * float)) option

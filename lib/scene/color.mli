@@ -27,8 +27,8 @@ val yellow : t
 (** [yellow] is (1, 1, 0). *)
 
 val names : (string * t) list
-(** [names] is the eight constants under the names that the scene language gives
-    them. *)
+(** [names] is the eight constants under the names that the scene language
+    gives them. *)
 
 val luminance : t -> float
 (** [luminance c] is [0.2126 r + 0.7152 g + 0.0722 b], the brightness of [c] to

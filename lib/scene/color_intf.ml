@@ -1,8 +1,8 @@
 (** What a representation of colours offers. *)
 module type S = sig
   type t
-  (** The type for colours. Channels are light intensities: 0 is none, 1 is what
-      a picture shows as full brightness, and more is allowed. *)
+  (** The type for colours. Channels are light intensities: 0 is none, 1 is
+      what a picture shows as full brightness, and more is allowed. *)
 
   val black : t
   (** [black] is no light: 0 in each channel. *)
@@ -17,8 +17,8 @@ module type S = sig
   (** [scale k c] is [c] made [k] times as bright. *)
 
   val multiply : t -> t -> t
-  (** [multiply a b] is the product channel by channel: what a surface of colour
-      [a] returns of the light [b]. *)
+  (** [multiply a b] is the product channel by channel: what a surface of
+      colour [a] returns of the light [b]. *)
 
   val to_bytes : t -> int * int * int
   (** [to_bytes c] is the red, green and blue byte that a picture shows, by

@@ -16,9 +16,9 @@ type t = private {
 
 (** {1 Building}
 
-    Raises [Invalid_argument] if [intensity] or a channel of [color] is negative
-    or not finite, or a coordinate is not finite, or [direction] is the zero
-    vector. *)
+    Raises [Invalid_argument] if [intensity] or a channel of [color] is
+    negative or not finite, or a coordinate is not finite, or [direction] is
+    the zero vector. *)
 
 val directional : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
 (** [directional ~intensity ~color direction] is light that travels along
@@ -40,8 +40,8 @@ type incidence = {
       (** of the angle between [towards] and the normal; not positive where the
           surface faces away *)
   falloff : float;
-      (** 1 over the squared distance for a point light, 1 for a directional one
-      *)
+      (** 1 over the squared distance for a point light, 1 for a directional
+          one *)
 }
 (** How light meets a surface. *)
 
@@ -77,8 +77,8 @@ val blocks : Ray.t -> float -> bool
     between its point and its light. *)
 
 val name : t -> string
-(** [name light] is the scene language's word: ["directional"] or ["spherical"].
-*)
+(** [name light] is the scene language's word: ["directional"] or
+    ["spherical"]. *)
 
 val without_line : t -> t
 (** [without_line light] is [light], of no file. *)
@@ -93,5 +93,5 @@ val equal : t -> t -> bool
     count. *)
 
 val pp : Format.formatter -> t -> unit
-(** [pp] prints [directional light, intensity 1, rgb 1 1 1, along (0, -1, 0)] or
-    [point light, intensity 1, rgb 1 1 1, at (0, 5, 0)]. *)
+(** [pp] prints [directional light, intensity 1, rgb 1 1 1, along (0, -1, 0)]
+    or [point light, intensity 1, rgb 1 1 1, at (0, 5, 0)]. *)

@@ -1,5 +1,5 @@
-(* [max_float], as a constant that the compiler sees: the tracer compares with it
-   a dozen times a hit. *)
+(* [max_float], as a constant that the compiler sees: the tracer compares with
+   it a dozen times a hit. *)
 let largest = 0x1.fffffffffffffp+1023
 
 let[@inline] limit x =

@@ -16,8 +16,8 @@ let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
   Color.require "the background" background;
   if ray_depth < 0 || ray_depth > max_ray_depth then
     invalid_arg
-      (Printf.sprintf "the ray depth must be from 0 to %d, not %d" max_ray_depth
-         ray_depth);
+      (Printf.sprintf "the ray depth must be from 0 to %d, not %d"
+         max_ray_depth ray_depth);
   { camera; background; ray_depth; lights; objects }
 
 let with_camera camera scene = { scene with camera }

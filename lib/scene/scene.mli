@@ -9,8 +9,8 @@ type t = private {
   lights : Light.t list;
   objects : Object.t list;
 }
-(** The type for scenes. Lights and objects are numbered by their place in these
-    lists, from 1. *)
+(** The type for scenes. Lights and objects are numbered by their place in
+    these lists, from 1. *)
 
 val make :
   ?background:Color.t ->
@@ -24,7 +24,8 @@ val make :
     to none.
 
     Raises [Invalid_argument] if [ray_depth] is negative or greater than
-    {!max_ray_depth}, or a channel of [background] is negative or not finite. *)
+    {!max_ray_depth}, or a channel of [background] is negative or not finite.
+*)
 
 val default_ray_depth : int
 (** [default_ray_depth] is 4, as in the original. *)
@@ -36,8 +37,8 @@ val with_camera : Camera.t -> t -> t
 (** [with_camera camera scene] is [scene] seen by [camera]. *)
 
 val without_lines : t -> t
-(** [without_lines scene] is [scene], of no file: its lights and objects have no
-    lines. *)
+(** [without_lines scene] is [scene], of no file: its lights and objects have
+    no lines. *)
 
 val greyscale : t -> t
 (** [greyscale scene] is [scene] with every colour replaced by the grey of its

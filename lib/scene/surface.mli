@@ -44,9 +44,9 @@ type meaning = {
     [emission + albedo * light + mirror * trace (mirrored ray)]. *)
 
 val meaning : t -> meaning
-(** [meaning surface] is the triple that [surface] denotes; if it {!varies}, the
-    mean of what it denotes at its points. Numbers too large for a double become
-    the largest finite one. *)
+(** [meaning surface] is the triple that [surface] denotes; if it {!varies},
+    the mean of what it denotes at its points. Numbers too large for a double
+    become the largest finite one. *)
 
 val paint : t -> Color.t option
 (** [paint surface] is the colour that [surface] is said to be painted with:
@@ -54,8 +54,8 @@ val paint : t -> Color.t option
 
 (** {1 Surfaces that depend on the point}
 
-    All that renders or explains a scene asks as if some did, though none of the
-    scene language does. *)
+    All that renders or explains a scene asks as if some did, though none of
+    the scene language does. *)
 
 val varies : t -> bool
 (** [varies surface] is whether [surface] is not the same at all points. *)
@@ -69,7 +69,8 @@ val at : t -> Raylab_geometry.Vec3.t -> t
 val map_colors : (Color.t -> Color.t) -> t -> t
 (** [map_colors f surface] is [surface] with [f] applied to each colour in it.
 
-    Raises [Invalid_argument] if [f] makes a colour that no surface may have. *)
+    Raises [Invalid_argument] if [f] makes a colour that no surface may have.
+*)
 
 val name : t -> string
 (** [name surface] is the scene language's word for it, such as ["diffusive"].
@@ -79,8 +80,8 @@ type part = Number of float | Color of Color.t  (** The type for parts. *)
 
 val parts : t -> (string * part) list
 (** [parts surface] is what the scene language writes after {!name}, in that
-    order, each part with its name; nothing for a mix, whose parts are surfaces.
-*)
+    order, each part with its name; nothing for a mix, whose parts are
+    surfaces. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are written alike, number for number. *)

@@ -1,13 +1,15 @@
-(** A picture as a job for Slurm: an array of tasks that render bands, and a job
-    that joins them.
+(** A picture as a job for Slurm: an array of tasks that render bands, and a
+    job that joins them.
 
     The scripts are for people to read and to edit. They work in a folder that
     holds the scene as [picture.scene] and, to begin with, the empty folders
-    {!folders}; band number [k], counted from 1, becomes [bands/k.ppm] there. *)
+    {!folders}; band number [k], counted from 1, becomes [bands/k.ppm] there.
+*)
 
 type t = {
   raylab : string;  (** the path of the program *)
-  view : string list;  (** options of [raylab render] that change the picture *)
+  view : string list;
+      (** options of [raylab render] that change the picture *)
   height : int;  (** of the whole picture, in rows *)
   bands : int;  (** how many, from 1 to [height] *)
   cores : int;  (** that each band is rendered on *)

@@ -21,8 +21,8 @@ val vec : float -> float -> float -> Vec3.t
 (** [vec x y z] is the point or vector (x, y, z). *)
 
 val ray : Vec3.t -> Vec3.t -> Ray.t
-(** [ray origin direction] is the ray from [origin] along [direction], which may
-    have any length but 0. *)
+(** [ray origin direction] is the ray from [origin] along [direction], which
+    may have any length but 0. *)
 
 val rgb : float -> float -> float -> Color.t
 (** [rgb r g b] is the colour with these channels, of which 1 is the brightest

@@ -23,7 +23,8 @@ let words =
   ]
 
 let building =
-  {|Scenes are built with vec, rgb, red ... white, directional, spherical, sphere,
+  {|
+Scenes are built with vec, rgb, red ... white, directional, spherical, sphere,
 plane, diffusive, reflective, luminous and mixed, as in a scene file:
 
 use (Scene.make camera
@@ -32,7 +33,7 @@ use (Scene.make camera
 
 let help () =
   List.iter (fun (word, line) -> Format.printf "%-14s%s@." word line) words;
-  Format.printf "@.%s@." building
+  Format.printf "%s@." building
 
 (* {1 The scene} *)
 

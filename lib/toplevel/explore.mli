@@ -18,9 +18,9 @@ val scene : unit -> Scene.t
 (** [scene ()] is the current scene. *)
 
 val load : string -> unit
-(** [load file] reads a scene file, says what is in it, and makes it the current
-    scene. If it is in error, that is told as the command line does, and the
-    scene stays as it was. *)
+(** [load file] reads a scene file, says what is in it, and makes it the
+    current scene. If it is in error, that is told as the command line does,
+    and the scene stays as it was. *)
 
 val use : Scene.t -> unit
 (** [use scene] makes [scene] the current one. *)
@@ -73,6 +73,7 @@ val show : unit -> unit
 
 val save : string -> unit
 (** [save file] renders the current scene and writes the picture to [file], as
-    BMP, PNG or PPM by its extension: the very file that [raylab render] writes.
+    BMP, PNG or PPM by its extension: the very file that [raylab render]
+    writes.
 
     Raises [Sys_error] if it could not be written. *)

@@ -59,8 +59,8 @@ let with_scene_file ?(name = "scene") scene f =
        with Sys_error reason -> raise (Sys_error (path ^ ": " ^ reason)));
       f path)
 
-(* Ctrl-C goes to the program as well, which then ends by itself: so it must have
-   started, and be waited for, whenever Ctrl-C comes. *)
+(* Ctrl-C goes to the program as well, which then ends by itself: so it must
+   have started, and be waited for, whenever Ctrl-C comes. *)
 let start program arguments ~output =
   let interrupted = ref false in
   let note = Sys.Signal_handle (fun _ -> interrupted := true) in

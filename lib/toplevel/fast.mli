@@ -1,9 +1,10 @@
 (** Whole pictures, by the native program.
 
-    A prompt runs bytecode, which renders some 17 times slower than native code.
-    So whole pictures are left to the [raylab] that started the prompt: it gets
-    the scene in a temporary file, in the scene language, and gives the picture
-    back. It is the same tracer, so the picture is the same, bit for bit. *)
+    A prompt runs bytecode, which renders some 17 times slower than native
+    code. So whole pictures are left to the [raylab] that started the prompt:
+    it gets the scene in a temporary file, in the scene language, and gives the
+    picture back. It is the same tracer, so the picture is the same, bit for
+    bit. *)
 
 open Raylab_scene
 open Raylab_tracer
@@ -17,14 +18,14 @@ val picture : Scene.t -> Picture.t
     here if there is none. The program shows its progress on a terminal.
 
     Raises [Sys_error] if the picture would not fit into memory. Raises
-    [Failure] if the program ends without a picture. Raises [Sys.Break] if it is
-    interrupted. *)
+    [Failure] if the program ends without a picture. Raises [Sys.Break] if it
+    is interrupted. *)
 
 val show : ?file:string -> Scene.t -> unit
-(** [show ~file scene] shows [scene], which came from [file], in a window of the
-    native program, or of this one if there is none, until the window is closed.
-    If [file] still describes [scene] it is [file] that is shown. If there is no
-    display that is told on standard error.
+(** [show ~file scene] shows [scene], which came from [file], in a window of
+    the native program, or of this one if there is none, until the window is
+    closed. If [file] still describes [scene] it is [file] that is shown. If
+    there is no display that is told on standard error.
 
     Raises [Sys_error] if the picture would not fit into memory. Raises
     [Failure] if the program fails. Raises [Sys.Break] if it is interrupted. *)

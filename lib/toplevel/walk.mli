@@ -4,8 +4,8 @@
 open Raylab_tracer
 
 type t
-(** The type for places in a sequence of events: what has been seen, and what is
-    to come. Going on or back gives another place; the old one remains. *)
+(** The type for places in a sequence of events: what has been seen, and what
+    is to come. Going on or back gives another place; the old one remains. *)
 
 val start : Event.t Seq.t -> t
 (** [start events] is the place before the first of [events]. *)

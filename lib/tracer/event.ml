@@ -40,11 +40,11 @@ let pp ppf = function
   | Shadow_ray { light; ray } ->
       Format.fprintf ppf "shadow ray to light %d: %a" light Ray.pp ray
   | Blocked { light; by; t; point } ->
-      Format.fprintf ppf "light %d: blocked by object %d, t = %a at %a" light by
-        Number.pp t Vec3.pp point
+      Format.fprintf ppf "light %d: blocked by object %d, t = %a at %a" light
+        by Number.pp t Vec3.pp point
   | Lit { light; cosine; falloff; contribution } ->
-      Format.fprintf ppf "light %d: lit, cosine %a, fall-off %a, gives %a" light
-        Number.pp cosine Number.pp falloff Color.pp contribution
+      Format.fprintf ppf "light %d: lit, cosine %a, fall-off %a, gives %a"
+        light Number.pp cosine Number.pp falloff Color.pp contribution
   | Bounce { ray; left } ->
       Format.fprintf ppf "bounce: %a, %d left in the chain" Ray.pp ray left
   | Mixed { emitted; diffused; mirrored; color; _ } ->

@@ -12,15 +12,16 @@ open Raylab_scene
     product too large for a double is the largest double. *)
 type t =
   | Cast of { ray : Ray.t; left : int }
-      (** A ray is cast, with [left] rays left in its chain, itself included. *)
+      (** A ray is cast, with [left] rays left in its chain, itself included.
+      *)
   | Chain_ended of Color.t
       (** No ray is left: the ray is not followed, the background stands in. *)
   | Missed of Color.t  (** The ray hits nothing and shows the background. *)
   | Nearest_hit of Hit.t  (** The first hit of the ray. *)
   | Faces_away of { light : int; cosine : float }
       (** The surface is turned away from the light: [cosine], of the angle
-          between the normal and the way to the light, is not positive. It is 0,
-          too, where a point light gives nothing since the square of its
+          between the normal and the way to the light, is not positive. It is
+          0, too, where a point light gives nothing since the square of its
           distance is no double. *)
   | Shadow_ray of { light : int; ray : Ray.t }
       (** A ray is sent to find out whether anything blocks the light. *)

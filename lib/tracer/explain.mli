@@ -68,6 +68,7 @@ val pixel : Trace.t -> x:int -> y:int -> t
 (** [pixel scene ~x ~y] explains [Trace.pixel scene ~x ~y], y from the top. *)
 
 val steps : Trace.t -> Ray.t -> Event.t Seq.t
-(** [steps scene r] is the events of [Trace.ray scene r], a persistent sequence:
-    an older part of it can be read again at any time. The evaluation runs when
-    the first event is asked for. The last event is [Done] with the colour. *)
+(** [steps scene r] is the events of [Trace.ray scene r], a persistent
+    sequence: an older part of it can be read again at any time. The evaluation
+    runs when the first event is asked for. The last event is [Done] with the
+    colour. *)

@@ -49,7 +49,8 @@ let light_numbers light =
   in
   [| kind; x; y; z; power.r; power.g; power.b |]
 
-(* [flatten size numbers items] is the numbers of all items, one after another. *)
+(* [flatten size numbers items] is the numbers of all items, one after
+   another. *)
 let flatten size numbers items =
   let flat = Array.make (size * Array.length items) 0. in
   Array.iteri

@@ -2,8 +2,8 @@ open Raylab_geometry
 open Raylab_geometry.Numbers
 open Registers
 
-(* A computed point lies within a few units in the last place (2^-52 each) of the
-   largest number that went into it; this leaves some room. *)
+(* A computed point lies within a few units in the last place (2^-52 each) of
+   the largest number that went into it; this leaves some room. *)
 let rounding = 0x1p-44
 
 (* Where doubles end: no hit lies farther out, nor is moved farther off, so that

@@ -14,8 +14,8 @@ val hit : Registers.t -> int -> Hit.t
 (** {1 Where doubles end} *)
 
 val farthest : float
-(** [farthest] is 2^1022: no hit lies farther out, so that what is computed from
-    it is finite. *)
+(** [farthest] is 2^1022: no hit lies farther out, so that what is computed
+    from it is finite. *)
 
 val within : float -> float
 (** [within x] is the coordinate [x], not beyond {!farthest}. *)

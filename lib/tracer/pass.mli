@@ -14,8 +14,8 @@ val coarse_to_fine : t array
 (** [coarse_to_fine] is passes that together compute each pixel once. *)
 
 val step : t -> int
-(** [step pass] is how far apart the known pixels are after [pass], in a row and
-    from row to row: a power of two that divides {!Tile.side}. *)
+(** [step pass] is how far apart the known pixels are after [pass], in a row
+    and from row to row: a power of two that divides {!Tile.side}. *)
 
 val pixels : t -> Tile.t -> int
 (** [pixels pass tile] is how many pixels of [tile] [pass] computes. *)

@@ -12,8 +12,8 @@ val create : width:int -> height:int -> t
     pixel.
 
     Raises [Invalid_argument] if [width] or [height] is less than 1, or there
-    are more bytes than [Sys.max_string_length]. Whether they fit into memory is
-    asked by [Picture_file.check_size]; if they do not, [Out_of_memory] is
+    are more bytes than [Sys.max_string_length]. Whether they fit into memory
+    is asked by [Picture_file.check_size]; if they do not, [Out_of_memory] is
     raised. *)
 
 val width : t -> int

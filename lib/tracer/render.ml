@@ -46,15 +46,16 @@ let picture ?(domains = Parallel.default_domains ()) ?rows
   in
   let tally =
     fill ~domains ?rows picture scene
-      ~on_progress:(fun n -> on_progress (float_of_int n /. float_of_int count))
+      ~on_progress:(fun n ->
+        on_progress (float_of_int n /. float_of_int count))
       ~passes:[| Pass.whole |]
       ~on_tile:(fun _ _ -> ())
   in
   on_progress 1.;
   (picture, tally)
 
-let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile picture
-    scene =
+let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile
+    picture scene =
   if size ?rows scene <> (Picture.width picture, Picture.height picture) then
     invalid_arg "a picture of another size";
   fill ~domains ?rows ?stop picture scene ~passes:Pass.coarse_to_fine ~on_tile

@@ -1,7 +1,7 @@
 (** From a scene to a picture, over domains.
 
-    The picture is the same, byte for byte, whatever the number of domains: each
-    pixel is computed by one of them, from nothing but the scene. *)
+    The picture is the same, byte for byte, whatever the number of domains:
+    each pixel is computed by one of them, from nothing but the scene. *)
 
 type rows = { first : int; last : int }
 (** A band of rows, both ends included, counted from 0 at the top. *)

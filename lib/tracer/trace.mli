@@ -1,8 +1,8 @@
 (** The tracer: a function from a scene and a ray to a colour.
 
-    The colour of a ray with [n] rays left in its chain is the background if [n]
-    is 0 or the ray hits nothing, and otherwise, at the nearest hit on a surface
-    that denotes (emission, albedo, mirror),
+    The colour of a ray with [n] rays left in its chain is the background if
+    [n] is 0 or the ray hits nothing, and otherwise, at the nearest hit on a
+    surface that denotes (emission, albedo, mirror),
 
     {v
     emission + albedo * light + mirror * colour of the mirrored ray (n - 1 left)
@@ -28,8 +28,8 @@ val prepare :
     default 1; it makes no difference to any colour.
 
     Nor does [quick], by default true: without it all that has a quicker way,
-    spheres and surfaces that are the same everywhere, goes the way that is open
-    to every shape and surface. *)
+    spheres and surfaces that are the same everywhere, goes the way that is
+    open to every shape and surface. *)
 
 val scene : t -> Scene.t
 (** [scene t] is the scene from which [t] was prepared. *)

@@ -3,9 +3,9 @@ module G = Graphics
 exception Gone
 
 (* Graphics frees an image when the garbage collector finds it, and crashes if
-   the window is no longer there. So images are held here until it is a good time
-   to free them, and for ever if the window is gone. This is about the one window
-   that Graphics has in a process, and so it is a global state. *)
+   the window is no longer there. So images are held here until it is a good
+   time to free them, and for ever if the window is gone. This is about the one
+   window that Graphics has in a process, and so it is a global state. *)
 let images = ref []
 let pixels_in_images = ref 0
 let most_pixels_in_images = 8_000_000
@@ -49,9 +49,10 @@ let open_ ~on_loss ~title ~width ~height =
     try
       G.set_window_title title;
       G.open_graph (Printf.sprintf " %dx%d" width height);
-      (* Graphics wants to handle events whenever one comes, or, depending on how
-         it was built, four times a second: on whichever domain gets the signal,
-         and in the middle of anything. They can wait until [next] asks. *)
+      (* Graphics wants to handle events whenever one comes, or, depending on
+         how it was built, four times a second: on whichever domain gets the
+         signal, and in the middle of anything. They can wait until [next]
+         asks. *)
       Sys.set_signal Sys.sigpoll Signal_ignore;
       Tick.quiet ();
       G.auto_synchronize false;
@@ -102,7 +103,9 @@ let paint canvas ~left ~top colors =
 
 (* Graphics counts rows from the bottom. *)
 let flip y = G.size_y () - 1 - y
-let nearest (x, y) = (int_of_float (Float.round x), int_of_float (Float.round y))
+
+let nearest (x, y) =
+  (int_of_float (Float.round x), int_of_float (Float.round y))
 
 let line canvas ~color ~width (a, b) =
   guard canvas (fun () ->

@@ -1,15 +1,15 @@
 (** The window itself: a thin layer over Graphics.
 
-    This is the only module that uses Graphics, and only the main domain may use
-    it. Places are in pixels from the left and from the {e top}; colours are
-    [0xRRGGBB]. What is drawn is seen after {!show}. *)
+    This is the only module that uses Graphics, and only the main domain may
+    use it. Places are in pixels from the left and from the {e top}; colours
+    are [0xRRGGBB]. What is drawn is seen after {!show}. *)
 
 type t
 (** The type for windows. There is one at a time. *)
 
 exception Gone
-(** The window, or the whole display, went away: every function but {!close} may
-    raise this. Only {!close} may be called afterwards. *)
+(** The window, or the whole display, went away: every function but {!close}
+    may raise this. Only {!close} may be called afterwards. *)
 
 val open_ :
   on_loss:(unit -> unit) ->
@@ -17,9 +17,9 @@ val open_ :
   width:int ->
   height:int ->
   (t, string) result
-(** [open_ ~on_loss ~title ~width ~height] opens a window, or says in a line why
-    it cannot. After one window was {!Gone} no other can be opened. [on_loss] is
-    called before {!Gone} is raised for the first time. *)
+(** [open_ ~on_loss ~title ~width ~height] opens a window, or says in a line
+    why it cannot. After one window was {!Gone} no other can be opened.
+    [on_loss] is called before {!Gone} is raised for the first time. *)
 
 val close : t -> unit
 (** [close canvas] closes the window, if it is not gone. *)
@@ -64,5 +64,5 @@ val show : t -> unit
 type event = Key of char | Click of int * int
 
 val next : t -> seconds:float -> event option
-(** [next canvas ~seconds] is the next event, as soon as there is one; [None] if
-    there is none for [seconds]. The wheel of a mouse clicks, too. *)
+(** [next canvas ~seconds] is the next event, as soon as there is one; [None]
+    if there is none for [seconds]. The wheel of a mouse clicks, too. *)

@@ -10,8 +10,8 @@ let picture canvas layout color box =
 
 (* {1 The path} *)
 
-(* Everything is drawn twice, first wider and dark, so that it can be seen on any
-   picture. *)
+(* Everything is drawn twice, first wider and dark, so that it can be seen on
+   any picture. *)
 let strokes canvas role segment =
   let dashed = Path_overlay.is_dashed role in
   let parts = if dashed then Segment.dashes segment else [ segment ] in

@@ -1,8 +1,8 @@
 (** Where a window shows a picture, and which pixel is where.
 
-    The picture is as large as the window allows, in the middle: with each pixel
-    as a square of 1, 2, 3 ... pixels of the window, or else scaled down to fit,
-    with its proportions. *)
+    The picture is as large as the window allows, in the middle: with each
+    pixel as a square of 1, 2, 3 ... pixels of the window, or else scaled down
+    to fit, with its proportions. *)
 
 type t
 (** The type for layouts. *)
@@ -23,8 +23,8 @@ val shown : t -> Box.t
 (** [shown layout] is the part of the window that shows the picture. *)
 
 val pixel : t -> int * int -> (int * int) option
-(** [pixel layout place] is the pixel of the picture that is shown at a place of
-    the window, or [None] beside the picture. Where one place shows several
+(** [pixel layout place] is the pixel of the picture that is shown at a place
+    of the window, or [None] beside the picture. Where one place shows several
     pixels it is one in their middle. *)
 
 val place : t -> float * float -> float * float

@@ -25,7 +25,8 @@ type t = {
   hits : Segment.point list;  (** where rays of the chain hit *)
   blocks : Segment.point list;  (** where shadow rays end in an object *)
 }
-(** The type for overlays, in places of the picture, which may be outside it. *)
+(** The type for overlays, in places of the picture, which may be outside it.
+*)
 
 val make : Camera.t -> first_row:int -> Explain.t -> t
 (** [make camera ~first_row explanation] is the path of [explanation] as

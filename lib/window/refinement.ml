@@ -33,12 +33,15 @@ let tile_at r x y =
   (y / Tile.side * across) + (x / Tile.side)
 
 let bit pass =
-  let rec find k = if Pass.coarse_to_fine.(k) = pass then k else find (k + 1) in
+  let rec find k =
+    if Pass.coarse_to_fine.(k) = pass then k else find (k + 1)
+  in
   1 lsl find 0
 
 let note r pass (tile : Tile.t) =
   let k = tile_at r tile.left tile.top in
-  Bytes.set_uint8 r.passes_done k (Bytes.get_uint8 r.passes_done k lor bit pass);
+  let known = Bytes.get_uint8 r.passes_done k in
+  Bytes.set_uint8 r.passes_done k (known lor bit pass);
   r.pixels_known <- r.pixels_known + Pass.pixels pass tile
 
 let part r =

@@ -19,9 +19,9 @@ type news =
 
 val start :
   domains:int -> ?rows:Render.rows -> (unit -> (Scene.t, string) result) -> t
-(** [start ~domains ~rows load] renders what [load ()] is, on [domains] domains,
-    or one less if that is all that there are. If it has no such [rows] all of
-    it is rendered. *)
+(** [start ~domains ~rows load] renders what [load ()] is, on [domains]
+    domains, or one less if that is all that there are. If it has no such
+    [rows] all of it is rendered. *)
 
 val news : t -> news list
 (** [news rendering] is what happened since the last question, in its order. *)

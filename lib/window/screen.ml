@@ -100,7 +100,8 @@ let talk { host; display } =
     (fun address ->
       try try_one address
       with
-      | Unix.Unix_error _ | Sys_error _ | Sys_blocked_io | Invalid_argument _ ->
+      | Unix.Unix_error _ | Sys_error _ | Sys_blocked_io | Invalid_argument _
+      ->
         None)
     addresses
 

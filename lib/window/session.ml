@@ -94,7 +94,8 @@ let path_of shown pixel explanation ~visible =
 
 let click s place =
   match (in_view s, Layout.pixel s.layout place) with
-  | Some shown, Some ((x, y) as pixel) when Shown.size shown = s.picture_size ->
+  | Some shown, Some ((x, y) as pixel) when Shown.size shown = s.picture_size
+    ->
       let e = Shown.explain shown pixel in
       s.terminal.explain (x, y + shown.first_row) e;
       s.path <- Some (path_of shown pixel e ~visible:true);
@@ -105,7 +106,8 @@ let click s place =
 let follow_path s shown =
   let width, height = s.picture_size in
   match s.path with
-  | Some { pixel = (x, y) as pixel; visible; _ } when x < width && y < height ->
+  | Some { pixel = (x, y) as pixel; visible; _ } when x < width && y < height
+    ->
       s.path <- Some (path_of shown pixel (Shown.explain shown pixel) ~visible)
   | _ -> s.path <- None
 

@@ -24,8 +24,8 @@ val make :
   source ->
   Canvas.t ->
   t
-(** [make source canvas] is a session that shows nothing yet, with a window laid
-    out for a [picture] of this size. *)
+(** [make source canvas] is a session that shows nothing yet, with a window
+    laid out for a [picture] of this size. *)
 
 val show_whole : t -> Trace.t -> Picture.t -> first_row:int -> float -> unit
 (** [show_whole session scene picture ~first_row seconds] shows a picture that

@@ -5,7 +5,8 @@ open Raylab_tracer
 type t = {
   scene : Trace.t;
   refinement : Refinement.t;
-  first_row : int;  (** its top row, counted from the top of the whole picture *)
+  first_row : int;
+      (** its top row, counted from the top of the whole picture *)
 }
 (** The type for pictures that are shown. *)
 

@@ -23,5 +23,6 @@ let make channel ~tell =
     tell;
     explain =
       (fun pixel e ->
-        write channel (Format.asprintf "%a@.@." (Report.pp ~swatches ~pixel) e));
+        let pp = Report.pp ~swatches ~pixel in
+        write channel (Format.asprintf "%a@.@." pp e));
   }

@@ -11,6 +11,6 @@ type t = {
 
 val make : out_channel -> tell:(string -> unit) -> t
 (** [make channel ~tell] writes what was asked for to [channel], and leaves
-    messages, which may have several lines, to [tell]. Explanations have patches
-    of colour if [channel] is a terminal that can show them. If [channel] cannot
-    be written to, nobody is reading, and that is no error. *)
+    messages, which may have several lines, to [tell]. Explanations have
+    patches of colour if [channel] is a terminal that can show them. If
+    [channel] cannot be written to, nobody is reading, and that is no error. *)

@@ -18,9 +18,9 @@ val run :
   Session.source ->
   first ->
   (unit, string) result
-(** [run ~terminal source first] opens a window and serves it until it is closed
-    in any way, or goes away. No domain is left running then. It says in a line
-    why there is no window if none can be opened.
+(** [run ~terminal source first] opens a window and serves it until it is
+    closed in any way, or goes away. No domain is left running then. It says in
+    a line why there is no window if none can be opened.
 
     The window shows [first], of which [rows] are shown; see
     {!Raylab_tracer.Render}. Keys and clicks do what {!Key.help} says. When
@@ -28,8 +28,8 @@ val run :
     rendering under way is stopped.
 
     [on_loss] is called at once if the window is not closed from here, but is
-    taken away, as most window managers do, or its display is. The X library may
-    then hold a lock that a collection of garbage would wait for, if that
+    taken away, as most window managers do, or its display is. The X library
+    may then hold a lock that a collection of garbage would wait for, if that
     happened in the middle of drawing: a program that has nothing else to do
     should end there, without further ado.
 

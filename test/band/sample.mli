@@ -22,8 +22,8 @@ val save :
   first:int ->
   last:int ->
   unit
-(** [save format path picture ~first ~last] writes that band of [picture], which
-    is [whole], by default {!val-whole} of its size. *)
+(** [save format path picture ~first ~last] writes that band of [picture],
+    which is [whole], by default {!val-whole} of its size. *)
 
 val in_new_folder : (string -> unit) -> unit -> unit
 (** [in_new_folder f ()] is [f folder] for an empty folder, which is removed

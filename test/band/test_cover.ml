@@ -46,7 +46,8 @@ let test_within () =
   check "inside" 5 5 [ ("b", 5, 5) ];
   check "whole" 4 6 [ ("b", 4, 6) ]
 
-(* Every row is in one piece of a band that has it, or in one gap if none has. *)
+(* Every row is in one piece of a band that has it, or in one gap if none
+   has. *)
 let is_cover (height, bands) =
   let bands = List.map (fun (a, b) -> band () (min a b) (max a b)) bands in
   let pieces, missing = Cover.pieces ~height bands in

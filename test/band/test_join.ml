@@ -11,8 +11,8 @@ let join paths format ~path =
   | Ok join -> (
       match Join.save join format ~path with
       | Ok () -> Sample.read path
-      | Error (Unreadable message | Unwritable message) -> Alcotest.fail message
-      )
+      | Error (Unreadable message | Unwritable message) ->
+          Alcotest.fail message)
 
 let at_once picture format ~path =
   match Picture_file.save format ~path picture with

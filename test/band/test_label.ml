@@ -68,11 +68,15 @@ let test_make () =
   invalid "below" whole 39 40;
   invalid "version" { whole with version = "a b" } 0 1;
   invalid "width" { whole with width = 0 } 0 1;
-  Alcotest.(check int) "rows" 3 (Band.rows (Band.make whole ~first:37 ~last:39))
+  Alcotest.(check int)
+    "rows" 3
+    (Band.rows (Band.make whole ~first:37 ~last:39))
 
 let test_difference () =
   let check what expected other =
-    Alcotest.(check (option string)) what expected (Band.difference whole other)
+    Alcotest.(check (option string))
+      what expected
+      (Band.difference whole other)
   in
   check "none" None whole;
   check "size" (Some "the sizes differ, 60x40 and 60x30")

@@ -1,4 +1,5 @@
-(* What is written piece by piece is what the library of picture files writes. *)
+(* What is written piece by piece is what the library of picture files
+   writes. *)
 
 open Raylab_tracer
 open Raylab_picture
@@ -21,7 +22,8 @@ let write format picture path =
         lower ()))
     path
 
-let sizes = [ (1, 1); (2, 1); (1, 2); (3, 5); (5, 3); (4, 4); (7, 2); (63, 65) ]
+let sizes =
+  [ (1, 1); (2, 1); (1, 2); (3, 5); (5, 3); (4, 4); (7, 2); (63, 65) ]
 
 let test_same format other folder =
   List.iter

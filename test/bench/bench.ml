@@ -91,7 +91,8 @@ let measure options =
   in
   print_string page;
   Option.iter
-    (fun path -> Out_channel.with_open_bin path (fun c -> output_string c page))
+    (fun path ->
+      Out_channel.with_open_bin path (fun c -> output_string c page))
     options.output;
   if List.length trials = List.length scenes then 0 else 1
 
@@ -144,8 +145,8 @@ let options =
     value & opt (some (positive "runs")) None & info [ "runs" ] ~docv:"N" ~doc
   and domains =
     let doc =
-      "Compare one domain with $(docv): by default with one for each core, but \
-       at most 4."
+      "Compare one domain with $(docv): by default with one for each core, \
+       but at most 4."
     in
     value
     & opt (positive "domains") (Int.min 4 (Machine.cores ()))

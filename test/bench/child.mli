@@ -1,5 +1,5 @@
-(** Work in a process of its own, so that its peak memory and processor time are
-    its alone. Nothing here may be called once a domain was spawned. *)
+(** Work in a process of its own, so that its peak memory and processor time
+    are its alone. Nothing here may be called once a domain was spawned. *)
 
 type clock = {
   wall : float;  (** seconds on the wall *)
@@ -23,5 +23,5 @@ type outcome = {
 
 val run : ?dir:string -> string -> string list -> (outcome, string) result
 (** [run program arguments] runs [program], found as a shell finds it, in the
-    directory [dir], by default the current one, without standard input. An exit
-    code other than 0 is an error. *)
+    directory [dir], by default the current one, without standard input. An
+    exit code other than 0 is an error. *)

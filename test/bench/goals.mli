@@ -13,5 +13,5 @@ type t = {
 
 val judge : domains:int -> first_pixel:float -> Trial.t list -> t list
 (** [judge ~domains ~first_pixel trials] is all goals. [first_pixel] is in
-    seconds, NaN if not measured. The goal for the speed-up, 3.6 with 4 domains,
-    is taken as 0.9 a domain. *)
+    seconds, NaN if not measured. The goal for the speed-up, 3.6 with 4
+    domains, is taken as 0.9 a domain. *)

@@ -59,11 +59,12 @@ let write_light channel camera (light : Light.t) =
 let write_surface channel surface =
   let { Surface.emission; albedo; mirror } = Surface.meaning surface in
   let reflection =
-    if mirror = 0. then "" else Printf.sprintf " reflection{%s}" (number mirror)
+    if mirror = 0. then ""
+    else Printf.sprintf " reflection{%s}" (number mirror)
   in
   let finish pigment kind =
-    Printf.fprintf channel " pigment{rgb%s}finish{%s%s}}\n" (color pigment) kind
-      reflection
+    Printf.fprintf channel " pigment{rgb%s}finish{%s%s}}\n" (color pigment)
+      kind reflection
   in
   let is_black = Color.equal Color.black in
   match (is_black emission, is_black albedo) with

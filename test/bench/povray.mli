@@ -4,20 +4,20 @@
     figure to compare with: rendering alone, over all threads, in steps of a
     millisecond. The processor time of the whole process gives the same, less
     sharply, after parsing, bounding and {!overhead} are taken off; with many
-    objects it comes out too large, since it has the time in it that it takes to
-    free them. The wall time of the process tells nothing: POV-Ray sleeps for
-    half a second and more before it ends. *)
+    objects it comes out too large, since it has the time in it that it takes
+    to free them. The wall time of the process tells nothing: POV-Ray sleeps
+    for half a second and more before it ends. *)
 
 open Raylab_scene
 
 val version : unit -> string option
-(** [version ()] is the version of the [povray] that a shell would find, such as
-    ["3.7.0.10"], or [None] if there is none that runs. *)
+(** [version ()] is the version of the [povray] that a shell would find, such
+    as ["3.7.0.10"], or [None] if there is none that runs. *)
 
 val write : out_channel -> Scene.t -> unit
-(** [write channel scene] writes [scene] in POV-Ray's language: the same camera,
-    shapes, surfaces and length of chains. A directional light becomes a
-    parallel light far away. A point light gets POV-Ray's fall-off
+(** [write channel scene] writes [scene] in POV-Ray's language: the same
+    camera, shapes, surfaces and length of chains. A directional light becomes
+    a parallel light far away. A point light gets POV-Ray's fall-off
     [2 / (1 + (d / f)^2)] with an [f] so small that this is [2 (f / d)^2].
 
     @raise Invalid_argument
@@ -53,6 +53,6 @@ val render :
   height:int ->
   string ->
   (t, string) result
-(** [render ~threads ~width ~height path] renders the POV-Ray scene at [path] in
-    this size without antialiasing and writes the result as PNG, without gamma,
-    to the file [picture] if there is one. *)
+(** [render ~threads ~width ~height path] renders the POV-Ray scene at [path]
+    in this size without antialiasing and writes the result as PNG, without
+    gamma, to the file [picture] if there is one. *)

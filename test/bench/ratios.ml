@@ -18,7 +18,9 @@ let build (trial : Trial.t) =
   else minimum (fun (run : Measure.t) -> run.build.wall) trial.one /. bounding
 
 let render_wall = minimum (fun (run : Measure.t) -> run.render.wall)
-let speed_up (trial : Trial.t) = render_wall trial.one /. render_wall trial.many
+
+let speed_up (trial : Trial.t) =
+  render_wall trial.one /. render_wall trial.many
 
 let words_per_ray (trial : Trial.t) =
   List.fold_left Float.max Float.neg_infinity

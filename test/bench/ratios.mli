@@ -16,8 +16,8 @@ val render_many : Trial.t -> float
     POV-Ray's, several threads each. *)
 
 val build : Trial.t -> float
-(** [build trial] is the wall time of raylab's hierarchy over that of POV-Ray's.
-    It is NaN too if POV-Ray's is too short to be told. *)
+(** [build trial] is the wall time of raylab's hierarchy over that of
+    POV-Ray's. It is NaN too if POV-Ray's is too short to be told. *)
 
 val speed_up : Trial.t -> float
 (** [speed_up trial] is the wall time of rendering over one domain over that
@@ -28,8 +28,8 @@ val words_per_ray : Trial.t -> float
     domain or several, whichever is more. *)
 
 val load : Trial.t -> float
-(** [load trial] is the time to read, parse and check the scene over the time to
-    render it over one domain. *)
+(** [load trial] is the time to read, parse and check the scene over the time
+    to render it over one domain. *)
 
 val bytes_per_sphere : Trial.t -> float
 (** [bytes_per_sphere trial] is the peak memory of a process that reads and

@@ -216,8 +216,8 @@ let sections ({ plan; _ } as results) =
 let to_markdown results =
   let first_pixel =
     Printf.sprintf
-      "A process that renders only the first row of `scenes/first.scene`, from \
-       its start to its end: %s ms.\n\n"
+      "A process that renders only the first row of `scenes/first.scene`, \
+       from its start to its end: %s ms.\n\n"
       (time Fun.id results.first_pixel)
   in
   String.concat ""

@@ -53,7 +53,8 @@ let round plan ~say scene_path povray_path () =
   let several = plan.domains > 1 in
   let ours domains () = Measure.run ~domains scene_path in
   let theirs threads () =
-    Povray.render ~threads ~width:Scenes.width ~height:Scenes.height povray_path
+    Povray.render ~threads ~width:Scenes.width ~height:Scenes.height
+      povray_path
   in
   let* one = optional true "raylab, 1 domain" (ours 1) in
   let* povray_one = optional plan.povray "POV-Ray, 1 thread" (theirs 1) in

@@ -14,5 +14,5 @@ val holds :
   string ->
   (Trace.t -> bool) ->
   unit Alcotest.test_case list
-(** [holds what property] is the tests that [property] is true of random scenes,
-    with everyday numbers and with numbers of any size. *)
+(** [holds what property] is the tests that [property] is true of random
+    scenes, with everyday numbers and with numbers of any size. *)

@@ -65,7 +65,9 @@ let rec written : Yojson.Safe.t -> string list = function
 
 let read words =
   let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
-  let source = Source.make ~name:"JSON" (String.concat " " (header :: words)) in
+  let source =
+    Source.make ~name:"JSON" (String.concat " " (header :: words))
+  in
   match Scene_file.parse source with
   | Ok { objects = [ o ]; _ } -> o
   | _ -> wrong (String.concat " " words)

@@ -25,7 +25,8 @@ let all =
           "rgb 0.922169 0.196327 0.12401";
         ];
     ask "first" 310 290 "Why is there blue on the middle sphere?"
-      ~summary:[ "a mirror (sphere 4, line 34) that shows the blue background" ]
+      ~summary:
+        [ "a mirror (sphere 4, line 34) that shows the blue background" ]
       ~tree:[ "hits nothing"; "mirrored rgb 0.3 0.42 0.7" ];
     ask "first" 315 350 "Why has its lower half the colour of the floor?"
       ~summary:
@@ -87,7 +88,8 @@ let all =
         ]
       ~tree:[ "fall-off 2.72665"; "rgb 16.2086 5.67302 0.972517" ];
     ask "over-exposure" 399 340 "Why do all three lamps look the same?"
-      ~summary:[ "a luminous white sphere (object 4, line 26)"; "over-exposed" ]
+      ~summary:
+        [ "a luminous white sphere (object 4, line 26)"; "over-exposed" ]
       ~tree:[ "emitted rgb 3 3 3" ];
     ask "over-exposure" 399 470 "Why is the image of that lamp grey?"
       ~summary:
@@ -129,7 +131,8 @@ let all =
     ask "facing-mirrors" 410 291 "What is that light spot deep in the tunnel?"
       ~summary:
         [ "the light grey sphere (object 26, line 52), lit by lights 1 and 2" ]
-      ~tree:[ "rgb 1.01478 0.964039 0.862561"; "rgb 0.656552 0.674154 0.59337" ];
+      ~tree:
+        [ "rgb 1.01478 0.964039 0.862561"; "rgb 0.656552 0.674154 0.59337" ];
     ask "fall-off" 770 230 "Light 1 reaches this place. Why is it black?"
       ~summary:
         [
@@ -154,12 +157,13 @@ let all =
           "a mix of 70 % mirror and 30 % beige (sphere 1, line 17)";
           "lit by light 1";
           "in the shadow of sphere 2 (line 19) from light 2";
-          "whose mirror shows the blue sphere (object 4, line 21), facing away \
-           from lights 1 and 2";
+          "whose mirror shows the blue sphere (object 4, line 21), facing \
+           away from lights 1 and 2";
         ]
       ~tree:[ "t = 4.4922"; "cosine -0.0940686"; "mirrored rgb 0 0 0" ];
     ask "sun-and-bulb" 300 180 "Why is there no light of the bulb at the left?"
-      ~summary:[ "lit by lights 1 and 3"; "in the shadow of plane 2 (line 25)" ]
+      ~summary:
+        [ "lit by lights 1 and 3"; "in the shadow of plane 2 (line 25)" ]
       ~tree:[ "t = 1.947"; "rgb 0.559173 0.517246 0.432581" ];
     ask "nested-mixes" 190 390 "Is this what the ball above it is made of?"
       ~summary:[ "a mix of 60 % red and 40 % mirror (sphere 3, line 29)" ]

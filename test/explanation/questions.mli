@@ -1,10 +1,11 @@
 (** Questions about the gallery: why does this pixel look like that?
 
     The answers were written from the pictures, the texts of the scenes and a
-    calculation by other means, before any explanation was looked at. Two things
-    were put right afterwards: that calculation had started shadow and mirrored
-    rays at a fixed distance from the surface, so some last digits changed, or
-    fewer are asked for; and the green of [room]'s wall is dark green. *)
+    calculation by other means, before any explanation was looked at. Two
+    things were put right afterwards: that calculation had started shadow and
+    mirrored rays at a fixed distance from the surface, so some last digits
+    changed, or fewer are asked for; and the green of [room]'s wall is dark
+    green. *)
 
 type t = {
   scene : string;  (** the file in [scenes/], without [.scene] *)

@@ -4,6 +4,7 @@ open Raylab_explanation
 open Test_support
 open Build
 
+let vector x y z = `List [ `Float x; `Float y; `Float z ]
 let parse text = Yojson.Safe.from_string text
 let is_same (a : Explain.t) b = compare a b = 0
 
@@ -61,8 +62,8 @@ let test_document () =
                   ( "ray",
                     `Assoc
                       [
-                        ("origin", `List [ `Float 0.; `Float 0.; `Float (-1.) ]);
-                        ("direction", `List [ `Float 0.; `Float 0.; `Float 1. ]);
+                        ("origin", vector 0. 0. (-1.));
+                        ("direction", vector 0. 0. 1.);
                         ("reach", `Null);
                         ("left", `Int 4);
                         ("color", `List [ `Float 0.25; `Float 0.5; `Float 2. ]);
@@ -94,7 +95,8 @@ let test_all_kinds () =
     [
       Light.point ~line:3 ~intensity:0.7 ~color:Color.cyan (v 0. 1. (-1.));
       Light.directional ~intensity:1. ~color:Color.white (v 0.3 1. 0.7);
-      Light.directional ~line:4 ~intensity:1. ~color:Color.white (v 0. 1. (-1.));
+      Light.directional ~line:4 ~intensity:1. ~color:Color.white
+        (v 0. 1. (-1.));
     ]
   in
   let objects =
@@ -131,10 +133,12 @@ let test_object () =
   let json = Json.of_ray (Explain.pixel scene ~x:0 ~y:0) in
   Expect.contains "sphere"
     ~part:
-      {|"shape":{"kind":"sphere","centre":[0.0,0.0,6.0],"radius":1.0},"surface":{"kind":"luminous","color":[1.0,0.0,0.0]}|}
+      ({|"shape":{"kind":"sphere","centre":[0.0,0.0,6.0],"radius":1.0},|}
+     ^ {|"surface":{"kind":"luminous","color":[1.0,0.0,0.0]}|})
     (Yojson.Safe.to_string json)
 
-(* The manual page shows the schema that the documentation of the library has. *)
+(* The manual page shows the schema that the documentation of the library
+   has. *)
 let test_schema () =
   let documentation =
     In_channel.with_open_bin "../../lib/explanation/json.mli"

@@ -19,7 +19,9 @@ let contribution { Explain.verdict; _ } =
 
 let hit_adds_up (h : Explain.surface_hit) color =
   let { Surface.emission; albedo; mirror } = h.meaning in
-  let light = List.fold_left sum Color.black (List.map contribution h.lights) in
+  let light =
+    List.fold_left sum Color.black (List.map contribution h.lights)
+  in
   let seen =
     match h.reflection with
     | None -> Color.black
@@ -52,7 +54,9 @@ let root =
 let sums =
   Any.holds "the parts add up to the whole" (fun scene ->
       let { Scene.background; _ } = Trace.scene scene in
-      List.for_all (fun (_, e) -> adds_up background e) (Any.explanations scene))
+      List.for_all
+        (fun (_, e) -> adds_up background e)
+        (Any.explanations scene))
 
 (* {1 Numbers of rays} *)
 

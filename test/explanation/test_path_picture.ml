@@ -83,7 +83,9 @@ let test_elements () =
 
 let test_unfollowed () =
   let mirror = plane (v 0. 0. 4.) (v 0. 1. 1.) Surface.reflective in
-  let _, svg = draw (Scene.make ~ray_depth:1 ~objects:[ mirror ] (camera ())) in
+  let _, svg =
+    draw (Scene.make ~ray_depth:1 ~objects:[ mirror ] (camera ()))
+  in
   check_count "stub" 2 "the chain has ended</text>" svg
 
 (* A piece of a plane is a polygon; far beyond the panel it is nothing. *)

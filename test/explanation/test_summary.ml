@@ -60,8 +60,8 @@ let test_no_light () =
     ~lights:[ sun 0. 1. 0.; bulb 0. 0. 9. ]
     [ wall red ];
   check "blocked"
-    "a red sphere (object 1), in the shadow of sphere 2 (line 9) from light 1, \
-     so that no light reaches it"
+    "a red sphere (object 1), in the shadow of sphere 2 (line 9) from light \
+     1, so that no light reaches it"
     ~lights:[ bulb 0. 8. (-5.) ]
     [ ball red; sphere ~line:9 (v 0. 4. (-1.)) 1. red ];
   check "blocked by several"
@@ -70,8 +70,8 @@ let test_no_light () =
     ~lights:[ sun 0. 0. 1.; bulb 0. 4. 0.; sun 0. 0. 2. ]
     [ wall red; behind red; sphere (v 0. 2. 2.) 0.5 red ];
   check "in its own shadow"
-    "a red sphere (object 1), in its own shadow from light 1, so that no light \
-     reaches it"
+    "a red sphere (object 1), in its own shadow from light 1, so that no \
+     light reaches it"
     ~lights:[ sun 0. 0. 1. ]
     [ sphere (v 0. 0. 0.) 4. red ]
 
@@ -81,7 +81,8 @@ let test_dark () =
     ~lights:[ bulb ~intensity:1e-3 0. 0. 0. ]
     [ ball red ];
   check "the wrong colour"
-    "a red sphere (object 1), lit by light 1, but returns nothing of its colour"
+    "a red sphere (object 1), lit by light 1, but returns nothing of its \
+     colour"
     ~lights:[ sun ~color:Color.cyan 0. 0. 1. ]
     [ ball red ];
   check "a light without light"
@@ -91,7 +92,8 @@ let test_dark () =
   check "black" "a black sphere (object 1), which returns no light"
     ~lights:[ sun 0. 0. 1. ]
     [ ball (Surface.diffusive Color.black) ];
-  check "what does not shine" "a black plane (object 1), which returns no light"
+  check "what does not shine"
+    "a black plane (object 1), which returns no light"
     ~lights:[ sun 0. 0. 1. ]
     [ wall (Surface.luminous Color.black) ]
 
@@ -119,8 +121,8 @@ let test_mirrors () =
 let test_mixes () =
   let mix part = Surface.mixed [ (0.7, part); (0.3, Surface.reflective) ] in
   check "paint and mirror"
-    "a mix of 70 % red and 30 % mirror (plane 1), lit by light 1, whose mirror \
-     shows the black background"
+    "a mix of 70 % red and 30 % mirror (plane 1), lit by light 1, whose \
+     mirror shows the black background"
     ~lights:[ sun 0. 0. 1. ]
     [ wall (mix red) ];
   check "glow and mirror"
@@ -132,8 +134,8 @@ let test_mixes () =
 let test_touching () =
   let start = 4. -. 1e-5 in
   check "on the surface"
-    "a red plane (object 1), lit by light 1; over-exposed: red 1e+10, shown as \
-     255"
+    "a red plane (object 1), lit by light 1; over-exposed: red 1e+10, shown \
+     as 255"
     ~lights:[ bulb 0. 0. start ]
     [ wall red ];
   check "many lights"

@@ -5,8 +5,8 @@ let hostile = "<b a=\"'\">&\x00\x1b[31m\r\n\x7f\u{9b}\xff\xc3\u{FFFE}\xc3\xa9"
 
 let escaped =
   let no = "\u{FFFD}" in
-  "&lt;b a=&quot;'&quot;&gt;&amp;" ^ no ^ no ^ "[31m" ^ no ^ "\n" ^ no ^ no ^ no
-  ^ no ^ no ^ "\xc3\xa9"
+  "&lt;b a=&quot;'&quot;&gt;&amp;" ^ no ^ no ^ "[31m" ^ no ^ "\n" ^ no ^ no
+  ^ no ^ no ^ no ^ "\xc3\xa9"
 
 let test_text () =
   Expect.contains "text"
@@ -26,7 +26,8 @@ let inert =
       let stop = "</text>" in
       let first = String.length start - String.length stop in
       let inside =
-        String.sub whole first (String.length whole - first - String.length stop)
+        String.sub whole first
+          (String.length whole - first - String.length stop)
       in
       String.is_valid_utf_8 inside
       && String.for_all

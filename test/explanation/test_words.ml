@@ -93,18 +93,19 @@ let named surface = Naming.by_look 3 (sphere ~line:8 (v 0. 0. 0.) 1. surface)
 let diffusive r g b = Surface.diffusive (rgb r g b)
 
 let test_objects () =
-  let mixed = Surface.mixed in
+  let mixed = Surface.mixed and reflective = Surface.reflective in
   List.iter
     (fun (expected, surface) -> check expected expected (named surface))
     [
       ("red sphere (object 3, line 8)", diffusive 1. 0. 0.);
-      ("mirror (sphere 3, line 8)", Surface.reflective);
-      ("90 % mirror (sphere 3, line 8)", mixed [ (0.9, Surface.reflective) ]);
+      ("mirror (sphere 3, line 8)", reflective);
+      ("90 % mirror (sphere 3, line 8)", mixed [ (0.9, reflective) ]);
       ("luminous white sphere (object 3, line 8)", Surface.luminous (grey 9.));
       ( "faintly luminous white sphere (object 3, line 8)",
         Surface.luminous (grey 0.01) );
-      ("black sphere (object 3, line 8)", mixed [ (0., Surface.reflective) ]);
-      ("mix of 50 % red (sphere 3, line 8)", mixed [ (0.5, diffusive 1. 0. 0.) ]);
+      ("black sphere (object 3, line 8)", mixed [ (0., reflective) ]);
+      ( "mix of 50 % red (sphere 3, line 8)",
+        mixed [ (0.5, diffusive 1. 0. 0.) ] );
       ( "mix of 60 % red, 40 % blue and a white glow (sphere 3, line 8)",
         mixed
           [
@@ -116,14 +117,14 @@ let test_objects () =
       ( "mix of 50 % mirror and 50 % green (sphere 3, line 8)",
         mixed
           [
-            (0.25, Surface.reflective);
-            (0.5, mixed [ (1., diffusive 0. 1. 0.); (0.5, Surface.reflective) ]);
+            (0.25, reflective);
+            (0.5, mixed [ (1., diffusive 0. 1. 0.); (0.5, reflective) ]);
           ] );
     ];
   check "without a line" "red plane (object 1)"
     (Naming.by_look 1 (plane (v 0. 0. 0.) (v 0. 1. 0.) (diffusive 1. 0. 0.)));
   check "by number" "sphere 2 (line 5)"
-    (Naming.by_number 2 (sphere ~line:5 (v 0. 0. 0.) 1. Surface.reflective))
+    (Naming.by_number 2 (sphere ~line:5 (v 0. 0. 0.) 1. reflective))
 
 let suite =
   ( "Words",

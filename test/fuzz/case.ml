@@ -117,7 +117,8 @@ let object_ number random =
 let light number random =
   let intensity = at_least_0 number random and color = color number random in
   if Random.State.bool random then
-    Printf.sprintf "spherical %s %s %s\n" intensity color (vector number random)
+    Printf.sprintf "spherical %s %s %s\n" intensity color
+      (vector number random)
   else
     Printf.sprintf "directional %s %s %s\n" intensity color
       (direction number random)

@@ -7,5 +7,5 @@ val color : Color.t -> bool
 (** [color c] is whether each channel is finite and not negative. *)
 
 val explanation : Explain.t -> bool
-(** [explanation e] is whether every number in [e] and all explanations in it is
-    finite, the reach of a ray without end excepted. *)
+(** [explanation e] is whether every number in [e] and all explanations in it
+    is finite, the reach of a ray without end excepted. *)

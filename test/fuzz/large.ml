@@ -19,8 +19,10 @@ let texts =
       after_header ~start:ball "mixed 1 " ~stop:"mixed -1 reflective" );
     ( "nested mixes of two",
       after_header ~start:ball "mixed 1 diffusive red .5 " ~stop:"reflective" );
-    ("a mix of many parts", after_header ~start:(ball ^ "mixed") " 1 luminous red");
-    ("many weights in error", after_header ~start:(ball ^ "mixed") " -1 reflective");
+    ( "a mix of many parts",
+      after_header ~start:(ball ^ "mixed") " 1 luminous red" );
+    ( "many weights in error",
+      after_header ~start:(ball ^ "mixed") " -1 reflective" );
     ("many lights", after_header ~start:"lights\n" "spherical 1 red 0 3 3\n");
     ("many objects", after_header "sphere 0 0 6 1 diffusive white\n");
     ("many settings", times "depth 1 imWidth 2 ");
@@ -46,7 +48,8 @@ let read text =
 let growth ~measure make n =
   let work n =
     let text = make n in
-    (* What the last text left free would be given to a small one for nothing. *)
+    (* What the last text left free would be given to a small one for
+       nothing. *)
     Gc.compact ();
     let before = measure () in
     read text;

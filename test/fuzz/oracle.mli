@@ -6,8 +6,8 @@ val complaint : string -> string option
 
     - errors, at least one, each with a place in the text, and in printing none
       of the characters that control a terminal; or
-    - a scene that comes back from printing and parsing it, each pixel of which,
-      in a small picture, is finite, and so is every number of its explanation,
-      whose colour is the pixel's.
+    - a scene that comes back from printing and parsing it, each pixel of
+      which, in a small picture, is finite, and so is every number of its
+      explanation, whose colour is the pixel's.
 
     An exception is a complaint too. *)

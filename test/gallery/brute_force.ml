@@ -1,5 +1,6 @@
-(* Every scene that is named on the command line gives the same picture, byte for
-   byte, whether hits are found by the hierarchy or by testing every shape. *)
+(* Every scene that is named on the command line gives the same picture, byte
+   for byte, whether hits are found by the hierarchy or by testing every
+   shape. *)
 
 open Raylab_geometry
 open Raylab_scene

@@ -124,7 +124,8 @@ let complaint place name picture =
   else
     match load_golden place name with
     | None -> Some (golden_file place name ^ " is no PNG of 24 bits a pixel")
-    | Some golden when golden.Rgb24.width <> width || golden.height <> height ->
+    | Some golden when golden.Rgb24.width <> width || golden.height <> height
+      ->
         Some
           (Printf.sprintf "the picture has %d x %d pixels, the golden %d x %d"
              width height golden.width golden.height)

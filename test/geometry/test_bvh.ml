@@ -72,14 +72,16 @@ let test_degenerate () =
       4. 0.04
   in
   check_same "one around all"
-    (Array.init 10_001 (fun k -> if k = 0 then sphere 0. 0. 0. 1e6 else small k))
+    (Array.init 10_001 (fun k ->
+         if k = 0 then sphere 0. 0. 0. 1e6 else small k))
 
 (* Enough spheres for the tree to be built in parts. *)
 let test_domains () =
   let state = Random.State.make [| 11 |] in
   let number () = Random.State.float state 20. -. 10. in
   let shapes =
-    Array.init 60_000 (fun _ -> sphere (number ()) (number ()) (number ()) 0.05)
+    Array.init 60_000 (fun _ ->
+        sphere (number ()) (number ()) (number ()) 0.05)
   in
   check_same "four domains" ~domains:4 shapes
 

@@ -61,7 +61,8 @@ let test_reflect () =
   check "from below" up (Direction.reflect down ~normal:(dir 0. (-1.) 0.));
   check "head on" (dir 0. 0. (-1.))
     (Direction.reflect (dir 0. 0. 1.) ~normal:(dir 0. 0. 1.));
-  check "along the surface" down (Direction.reflect down ~normal:(dir 0. 0. 1.));
+  check "along the surface" down
+    (Direction.reflect down ~normal:(dir 0. 0. 1.));
   check "neg" (dir (-0.6) 0.8 0.) (Direction.neg down)
 
 let exactly (a : Direction.t) (b : Direction.t) =

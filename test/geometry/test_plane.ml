@@ -52,7 +52,9 @@ let test_either_normal () =
 let test_invalid () =
   List.iter
     (fun bad ->
-      let plane x y z () = Plane.make ~point:(v x y z) ~normal:(dir 0. 1. 0.) in
+      let plane x y z () =
+        Plane.make ~point:(v x y z) ~normal:(dir 0. 1. 0.)
+      in
       Expect.invalid "x" (plane bad 0. 0.);
       Expect.invalid "y" (plane 0. bad 0.);
       Expect.invalid "z" (plane 0. 0. bad))

@@ -44,7 +44,9 @@ let test_parts () =
   let check what expected shape =
     Alcotest.(check bool) what true (Shape.parts shape = expected)
   in
-  check "sphere" [ ("centre", Vector (v 0. 0. 6.)); ("radius", Number 1.) ] ball;
+  check "sphere"
+    [ ("centre", Vector (v 0. 0. 6.)); ("radius", Number 1.) ]
+    ball;
   check "plane"
     [ ("point", Vector (v 0. (-1.) 0.)); ("normal", Vector (v 0. 1. 0.)) ]
     floor

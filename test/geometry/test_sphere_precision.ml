@@ -21,7 +21,8 @@ let test_small_and_far () =
 
 let test_just_missed_far_away () =
   let hits x =
-    Sphere.intersections (sphere x 0. 1e8 1.) (ray Vec3.zero (v 0. 0. 1.)) <> []
+    Sphere.intersections (sphere x 0. 1e8 1.) (ray Vec3.zero (v 0. 0. 1.))
+    <> []
   in
   Alcotest.(check bool) "inside the edge" true (hits 0.999999);
   Alcotest.(check bool) "outside the edge" false (hits 1.000001)
@@ -50,7 +51,8 @@ let test_scales () =
         (Printf.sprintf "%g" k) (4. *. k) t)
     [ 1e-150; 1e-100; 1e-10; 1.; 1e10; 1e100; 1e150 ]
 
-(* The limit that the documentation states: what cannot be squared is not met. *)
+(* The limit that the documentation states: what cannot be squared is not
+   met. *)
 let test_squares_overflow () =
   Alcotest.(check (list (float 0.)))
     "from the centre" []

@@ -8,7 +8,8 @@ val result : string -> (Scene.t, Scene_error.t list) result
     [test.scene]. *)
 
 val scene : string -> Scene.t
-(** [scene text] is the scene in [text]; the test fails if there is an error. *)
+(** [scene text] is the scene in [text]; the test fails if there is an error.
+*)
 
 val with_header : string -> string
 (** [with_header text] is [text] after one line with a header that is right. *)

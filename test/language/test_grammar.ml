@@ -51,8 +51,8 @@ let test_header () =
       (Read.scene text)
   in
   same "one order"
-    "imWidth 4 imHeight 3 canvWidth 8 canvHeight 6 depth 5 bcolor red raydepth \
-     7";
+    "imWidth 4 imHeight 3 canvWidth 8 canvHeight 6 depth 5 bcolor red \
+     raydepth 7";
   same "another"
     "raydepth 7 depth 5 bcolor 1 0 0 canvHeight 6 imHeight 3 canvWidth 8 \
      imWidth 4";
@@ -60,8 +60,8 @@ let test_header () =
     "bgcolor red depth 5 raydepth 7 canvHeight 6 imHeight 3 canvWidth 8 \
      imWidth 4";
   same "any case"
-    "IMWIDTH 4 imheight 3 CanvWidth 8 CANVHEIGHT 6 Depth 5 BColor RED RayDepth \
-     7"
+    "IMWIDTH 4 imheight 3 CanvWidth 8 CANVHEIGHT 6 Depth 5 BColor RED \
+     RayDepth 7"
 
 let test_defaults () =
   let scene = Read.scene (Read.with_header "") in

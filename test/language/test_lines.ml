@@ -39,7 +39,8 @@ let test_long () =
       let offset = ref 0 in
       while !offset <= String.length text do
         let { Lines.number; start; stop } = Lines.at index !offset in
-        Alcotest.check place "the same" (slow text !offset) (number, start, stop);
+        Alcotest.check place "the same" (slow text !offset)
+          (number, start, stop);
         offset := !offset + 61
       done)
     [ 1; 50; 4095; 4096; 4097; 10_000 ]

@@ -19,7 +19,7 @@ let test_print () =
         [
           sphere (v 0. 0. 6.) 1.
             (Surface.mixed
-               [ (0.5, Surface.reflective); (2., Surface.luminous Color.blue) ]);
+               Surface.[ (0.5, reflective); (2., luminous Color.blue) ]);
           plane (v 0. (-1.) 0.) (v 0. 1. 0.) (Surface.diffusive Color.green);
         ]
   in

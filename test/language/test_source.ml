@@ -106,8 +106,8 @@ let marks_the_span =
       else String.sub line before marked = String.sub text start length)
 
 let printable_is_printable =
-  Property.holds "printable leaves nothing to do" ~count:2000 QCheck2.Gen.string
-    (fun text ->
+  Property.holds "printable leaves nothing to do" ~count:2000
+    QCheck2.Gen.string (fun text ->
       let once = Source.printable text in
       String.is_valid_utf_8 once
       && String.equal once (Source.printable once)

@@ -39,7 +39,9 @@ let fits format ~width ~height =
 
 (* 4 GiB of 3 bytes a pixel are 1431655765 pixels and one byte. *)
 let test_size () =
-  let check what expected actual = Alcotest.(check bool) what expected actual in
+  let check what expected actual =
+    Alcotest.(check bool) what expected actual
+  in
   List.iter
     (fun format ->
       check "everyday" true (fits format ~width:1920 ~height:1080);

@@ -63,13 +63,16 @@ let check_same what picture image =
     done
   done
 
-let sizes = [ (1, 1); (2, 1); (1, 2); (3, 5); (5, 3); (4, 4); (7, 2); (63, 65) ]
+let sizes =
+  [ (1, 1); (2, 1); (1, 2); (3, 5); (5, 3); (4, 4); (7, 2); (63, 65) ]
 
 let test_format format folder =
   List.iter
     (fun (width, height) ->
       let picture = Sample.picture ~width ~height in
-      let path = Filename.concat folder (Printf.sprintf "%dx%d" width height) in
+      let path =
+        Filename.concat folder (Printf.sprintf "%dx%d" width height)
+      in
       Alcotest.(check (result unit string))
         "saved" (Ok ())
         (Picture_file.save format ~path picture);

@@ -20,7 +20,8 @@ let refined_bytes ~domains scene =
   let prepared = Trace.prepare ~domains scene in
   let picture = Render.blank prepared in
   ignore
-    (Render.refine ~domains ~on_tile:(fun _ _ -> ()) picture prepared : Tally.t);
+    (Render.refine ~domains ~on_tile:(fun _ _ -> ()) picture prepared
+      : Tally.t);
   Digest.bytes (Picture.to_rgb picture)
 
 (* [beside_load f] is [f ()] while other domains compute and allocate. *)
@@ -45,7 +46,8 @@ let is_same path =
       let camera = Camera.with_size ~width ~height scene.camera in
       let scene = Scene.with_camera camera scene in
       let one = bytes ~domains:1 scene in
-      let others = List.map (fun domains -> bytes ~domains scene) [ 1; 2; 3; 8 ]
+      let others =
+        List.map (fun domains -> bytes ~domains scene) [ 1; 2; 3; 8 ]
       and refined = refined_bytes ~domains:2 scene
       and busy = beside_load (fun () -> bytes ~domains:3 scene) in
       let same = List.for_all (String.equal one) (refined :: busy :: others) in

@@ -53,7 +53,8 @@ let scene ?(depth = 1.) light objects =
 let test_ends () =
   let eye = v 0. 0. (-1.) and axis = v 0. 0. 1. in
   check "a sphere around the eye" (scene (bulb eye) [ sphere eye 5. matt ]);
-  check "a light on a sphere" (scene (bulb (v 0. 0. 4.)) [ sphere eye 5. matt ]);
+  check "a light on a sphere"
+    (scene (bulb (v 0. 0. 4.)) [ sphere eye 5. matt ]);
   check "a plane through the eye" (scene (bulb eye) [ plane eye axis matt ]);
   check "a light in a far plane"
     (scene (bulb (v 0. 0. 1e300)) [ plane (v 0. 0. 1e300) axis matt ]);

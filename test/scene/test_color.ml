@@ -14,7 +14,9 @@ let test_arithmetic () =
   check "white multiplies by nothing" b (Color.multiply Color.white b)
 
 let test_names () =
-  let named name r g b = check name (rgb r g b) (List.assoc name Color.names) in
+  let named name r g b =
+    check name (rgb r g b) (List.assoc name Color.names)
+  in
   named "black" 0. 0. 0.;
   named "white" 1. 1. 1.;
   named "red" 1. 0. 0.;
@@ -60,7 +62,8 @@ let test_require () =
       refused "blue" (rgb 0. 0. bad))
     [ nan; infinity; -1.; -5e-324 ]
 
-let test_pp () = Expect.prints "channels" "rgb 1 0.5 0" Color.pp (rgb 1. 0.5 0.)
+let test_pp () =
+  Expect.prints "channels" "rgb 1 0.5 0" Color.pp (rgb 1. 0.5 0.)
 
 let suite =
   ( "Color",

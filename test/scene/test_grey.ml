@@ -9,7 +9,8 @@ let test_arithmetic () =
   check "multiply" 0.125 (Grey.multiply 0.5 0.25);
   check "black" 0. Grey.black;
   check "white" 1. Grey.white;
-  Alcotest.check (Same.near 1e-15) "of_color" 0.7152 (Grey.of_color Color.green);
+  Alcotest.check (Same.near 1e-15) "of_color" 0.7152
+    (Grey.of_color Color.green);
   Alcotest.check Same.levels "to_bytes" (128, 128, 128) (Grey.to_bytes 0.5);
   Expect.prints "pp" "grey 0.5" Grey.pp 0.5
 

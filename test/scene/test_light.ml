@@ -8,7 +8,9 @@ let check_number = Alcotest.check (Same.near 1e-15)
 let up = dir 0. 1. 0.
 
 (* Travels to the right and down, so it comes from (-0.6, 0.8, 0). *)
-let sun = Light.directional ~intensity:2. ~color:(rgb 1. 0.5 0.) (v 3. (-4.) 0.)
+let sun =
+  Light.directional ~intensity:2. ~color:(rgb 1. 0.5 0.) (v 3. (-4.) 0.)
+
 let bulb = Light.point ~intensity:50. ~color:(rgb 1. 0.5 0.) (v 3. 4. 0.)
 
 let test_directional () =

@@ -10,7 +10,9 @@ let check what (emission, albedo, mirror) surface =
 let black = Color.black
 
 let test_simple () =
-  check "diffusive" (black, rgb 1. 2. 3., 0.) (Surface.diffusive (rgb 1. 2. 3.));
+  check "diffusive"
+    (black, rgb 1. 2. 3., 0.)
+    (Surface.diffusive (rgb 1. 2. 3.));
   check "reflective" (black, black, 1.) Surface.reflective;
   check "luminous" (rgb 1. 2. 3., black, 0.) (Surface.luminous (rgb 1. 2. 3.))
 

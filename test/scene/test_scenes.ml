@@ -44,7 +44,8 @@ let test_greyscale () =
 
 (* Lines tell where an object stands in a file, not what it is. *)
 let test_equal () =
-  let copy ?(lights = [ bulb ]) ?(objects = [ ball ]) ?(camera = camera ()) () =
+  let copy ?(lights = [ bulb ]) ?(objects = [ ball ]) ?(camera = camera ()) ()
+      =
     Scene.make ~background:(rgb 0. 0. 1.) ~lights ~objects camera
   in
   let differs what other =

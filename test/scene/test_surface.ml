@@ -34,10 +34,14 @@ let test_inlined_twice () =
        ])
 
 let test_equal () =
-  let differs what a b = Alcotest.(check bool) what false (Surface.equal a b) in
+  let differs what a b =
+    Alcotest.(check bool) what false (Surface.equal a b)
+  in
   differs "kind" (Surface.diffusive Color.red) glow;
   differs "colour" (Surface.luminous Color.blue) glow;
-  differs "weight" (Surface.mixed [ (1., glow) ]) (Surface.mixed [ (2., glow) ]);
+  differs "weight"
+    (Surface.mixed [ (1., glow) ])
+    (Surface.mixed [ (2., glow) ]);
   differs "number of parts"
     (Surface.mixed [ (1., glow) ])
     (Surface.mixed [ (1., glow); (1., glow) ]);
@@ -51,7 +55,8 @@ let test_invalid () =
       Expect.invalid "diffusive" (fun () -> Surface.diffusive (rgb 0. bad 0.));
       Expect.invalid "luminous" (fun () -> Surface.luminous (rgb 0. 0. bad));
       Expect.invalid "map_colors" (fun () ->
-          Surface.map_colors (fun _ -> grey bad) (Surface.mixed [ (1., matt) ])))
+          let mix = Surface.mixed [ (1., matt) ] in
+          Surface.map_colors (fun _ -> grey bad) mix))
     [ nan; infinity; -1. ]
 
 let test_map_colors () =

@@ -23,7 +23,8 @@ let scene ?ray_depth ?(lights = [ bulb ]) ?(objects = [ matt ])
 
 let test_none () =
   check "all right" [] (scene ());
-  check "nothing needs light" [] (scene ~lights:[] ~objects:[ glow; mirror ] ());
+  check "nothing needs light" []
+    (scene ~lights:[] ~objects:[ glow; mirror ] ());
   check "a mirror with a ray to spare" []
     (scene ~ray_depth:2 ~objects:[ mirror ] ())
 

@@ -70,8 +70,8 @@ What "raylab slurm" writes. ./cluster.t runs it on a real Slurm.
   first=$(((band - 1) * height / bands))
   last=$((band * height / bands - 1))
   
-  # A lost node is for Slurm to replace (--requeue above), a failure is tried again
-  # here, unless it is one of the scene (1) or of the command line (124).
+  # A lost node is for Slurm to replace (--requeue above). A failure is tried
+  # again here, unless it is one of the scene (1) or of the command line (124).
   for try in 1 2 3; do
     "$raylab" render picture.scene "${view[@]}" --rows "$first-$last" \
       -j "${SLURM_CPUS_PER_TASK:-1}" -q -o "$part"

@@ -10,8 +10,8 @@ val everyday : float Gen.t
 (** Numbers from -10 to 10. *)
 
 val extreme : float Gen.t
-(** Finite numbers of any size: zeros of both signs, subnormals, the largest and
-    random bits, everyday ones among them. *)
+(** Finite numbers of any size: zeros of both signs, subnormals, the largest
+    and random bits, everyday ones among them. *)
 
 val hostile : float Gen.t
 (** {!extreme}, NaN and both infinities. *)
@@ -42,5 +42,5 @@ val surface : float Gen.t -> Surface.t Gen.t
 val light : float Gen.t -> Light.t Gen.t
 
 val scene : ?max_side:int -> float Gen.t -> Scene.t Gen.t
-(** Pictures of up to [max_side] pixels a side, 12 by default, up to four lights
-    and up to six objects. *)
+(** Pictures of up to [max_side] pixels a side, 12 by default, up to four
+    lights and up to six objects. *)

@@ -42,8 +42,8 @@ let color_near e = Alcotest.testable pp_exact_color (is_near_color e)
 let surface = Alcotest.testable Surface.pp Surface.equal
 
 let pp_meaning ppf { Surface.emission; albedo; mirror } =
-  Format.fprintf ppf "emission %a, albedo %a, mirror %a" pp_exact_color emission
-    pp_exact_color albedo pp_exact mirror
+  Format.fprintf ppf "emission %a, albedo %a, mirror %a" pp_exact_color
+    emission pp_exact_color albedo pp_exact mirror
 
 let meaning_near e =
   let close a b = is_near (e *. Float.max (abs_float a) (abs_float b)) a b in

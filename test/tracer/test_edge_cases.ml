@@ -92,7 +92,9 @@ let test_coincident () =
     (Shot.centre [ wall red; plane (v 0. 0. 4.) (v 0. 0. (-1.)) green ])
 
 let test_parallel () =
-  let shot y = Shot.centre ~background [ plane (v 0. y 0.) (v 0. 1. 0.) red ] in
+  let shot y =
+    Shot.centre ~background [ plane (v 0. y 0.) (v 0. 1. 0.) red ]
+  in
   check "below" background (shot (-1.));
   check "above" background (shot 1.);
   check "in the plane" background (shot 0.)
@@ -118,7 +120,8 @@ let suite =
       Alcotest.test_case "light on a surface" `Quick test_light_on_surface;
       Alcotest.test_case "light at the point" `Quick test_light_at_the_point;
       Alcotest.test_case "light very near" `Quick test_light_very_near;
-      Alcotest.test_case "light beyond squares" `Quick test_light_beyond_squares;
+      Alcotest.test_case "light beyond squares" `Quick
+        test_light_beyond_squares;
       Alcotest.test_case "coincident surfaces" `Quick test_coincident;
       Alcotest.test_case "parallel to a plane" `Quick test_parallel;
       Alcotest.test_case "tangent to a sphere" `Quick test_tangent;

@@ -75,8 +75,8 @@ let test_large_numbers () =
     ((Hit.start found).z < 1e12)
 
 (* The ball hangs 2.5 above the floor at (0, -1, 5). There the sun straight
-   above it is hidden. The other comes along (3, -4, 0) / 5; its ray to (0, -1, 5)
-   passes the centre (0, 1.5, 5) at 2.5 * 0.6 = 1.5, so beside the ball of
+   above it is hidden. The other comes along (3, -4, 0) / 5; its ray to (0, -1,
+   5) passes the centre (0, 1.5, 5) at 2.5 * 0.6 = 1.5, so beside the ball of
    radius 1: 2 * 0.8 is left of both. *)
 let test_light () =
   let hanging = sphere (v 0. 1.5 5.) 1. Surface.reflective in

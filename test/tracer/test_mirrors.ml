@@ -47,7 +47,9 @@ let test_ends () =
 (* Two mirrors that face each other, each adding 1 of red: with n rays it is
    n times red and the background at the end. *)
 let test_endless () =
-  let both = Surface.mixed [ (1., mirror); (1., Surface.luminous Color.red) ] in
+  let both =
+    Surface.mixed [ (1., mirror); (1., Surface.luminous Color.red) ]
+  in
   let between = [ facing both; behind both ] in
   check "four rays, as usual" (rgb 4.2 0.4 0.6) (color between);
   check "a thousand" (rgb 1000.2 0.4 0.6) (color ~ray_depth:1000 between)

@@ -19,7 +19,9 @@ let test_edge () =
          ~depth:10. ())
       ~lights:[ Shot.sun 1. 0. 1. ]
       ~objects:
-        [ sphere (v 0. 0. 5.) 2.5 glow; plane (v 0. 0. 10.) (v 0. 0. 1.) white ]
+        [
+          sphere (v 0. 0. 5.) 2.5 glow; plane (v 0. 0. 10.) (v 0. 0. 1.) white;
+        ]
   in
   let letter = function
     | 255, 0, 0 -> 'O'

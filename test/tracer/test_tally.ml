@@ -62,7 +62,8 @@ let test_sum () =
     t
   in
   Alcotest.(check string)
-    "each on its own" "3 primary, 30 reflected, 300 shadow, 21 hits, 27 blocked"
+    "each on its own"
+    "3 primary, 30 reflected, 300 shadow, 21 hits, 27 blocked"
     (show (Tally.sum [ tally 1; tally 2 ]));
   Alcotest.(check int) "rays of all kinds" 333 (Tally.rays (tally 3));
   Alcotest.(check int) "nothing" 0 (Tally.rays (Tally.sum []))

@@ -8,7 +8,8 @@ open Build
 (* 11 x 11 pixels on a canvas of 11 x 11, seen from 10 before it: the centres
    of the pixels are the points (i, j, 0) for i and j from -5 to 5. *)
 let eleven =
-  camera ~width:11 ~height:11 ~canvas_width:11. ~canvas_height:11. ~depth:10. ()
+  camera ~width:11 ~height:11 ~canvas_width:11. ~canvas_height:11. ~depth:10.
+    ()
 
 let glow = Surface.luminous Color.white
 
@@ -55,7 +56,8 @@ let test_horizon () =
 
 let test_primary_rays () =
   let scene =
-    Scene.make (camera ~width:3 ~height:2 ~canvas_width:3. ~canvas_height:2. ())
+    Scene.make
+      (camera ~width:3 ~height:2 ~canvas_width:3. ~canvas_height:2. ())
   in
   let rays = List.of_seq (Trace.primary_rays scene) in
   Alcotest.(check (list (Same.ray_near 1e-15)))

@@ -74,7 +74,8 @@ let prop_columns =
            (List.init width Fun.id))
 
 let prop_box =
-  QCheck.Test.make ~count:500 ~name:"the box of a pixel holds where it is named"
+  QCheck.Test.make ~count:500
+    ~name:"the box of a pixel holds where it is named"
     QCheck.(pair sizes sizes)
     (fun (window, picture) ->
       let layout = Layout.make ~window ~picture in

@@ -76,7 +76,9 @@ let overlay ~first_row =
           Object.make
             (Shape.plane ~point:(vec 0. 0. 10.) ~normal:(vec 0. 0. (-1.)))
             (Surface.mixed
-               [ (1., Surface.diffusive Color.white); (1., Surface.reflective) ]);
+               [
+                 (1., Surface.diffusive Color.white); (1., Surface.reflective);
+               ]);
           Object.make
             (Shape.sphere ~centre:(vec 0. 1.5 7.5) ~radius:0.2)
             (Surface.luminous Color.red);

@@ -10,7 +10,9 @@ let test_clip () =
   in
   check "inside" (Some ((1., 2.), (3., 4.))) ((1., 2.), (3., 4.));
   check "across" (Some ((0., 5.), (10., 5.))) ((-5., 5.), (25., 5.));
-  check "keeps its direction" (Some ((10., 5.), (0., 5.))) ((25., 5.), (-5., 5.));
+  check "keeps its direction"
+    (Some ((10., 5.), (0., 5.)))
+    ((25., 5.), (-5., 5.));
   check "a corner" (Some ((0., 1.), (1., 0.))) ((-1., 2.), (2., -1.));
   check "outside" None ((-1., 1.), (1., -1.5));
   check "beside, upright" None ((11., 0.), (11., 5.));

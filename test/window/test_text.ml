@@ -3,7 +3,9 @@ open Raylab_window
 let lines = Alcotest.(list string)
 
 let test_ascii () =
-  Alcotest.(check string) "one for one" "a?b?\nc" (Text.ascii "a\xc3\xa9b\t\nc")
+  Alcotest.(check string)
+    "one for one" "a?b?\nc"
+    (Text.ascii "a\xc3\xa9b\t\nc")
 
 let test_wrap () =
   let check name expected ~columns ~rows text =
