@@ -2,6 +2,7 @@ open Raylab_scene
 open Raylab_language
 open Raylab_tracer
 open Raylab_picture
+open Raylab_band
 open Raylab_window
 
 let variable = "RAYLAB_PROGRAM"
@@ -13,8 +14,7 @@ let program () =
 
 (* {1 Reading the program's picture}
 
-   It is the BMP of Picture_file: 24 bits a pixel, blue first, rows from the
-   bottom and padded to a multiple of four bytes. *)
+   It is the BMP of Picture_file. *)
 
 let read_header channel =
   let start = really_input_string channel 14 in
@@ -27,15 +27,11 @@ let read_picture channel =
   let width, height = read_header channel in
   let picture = Picture.create ~width ~height in
   let rgb = Picture.to_rgb picture in
-  let row = Bytes.create (((3 * width) + 3) land lnot 3) in
+  let row = Bytes.create (Uncompressed.stride Bmp ~width) in
   for y = height - 1 downto 0 do
     really_input channel row 0 (Bytes.length row);
-    for x = 0 to width - 1 do
-      let from = 3 * x and into = 3 * ((y * width) + x) in
-      Bytes.set rgb into (Bytes.get row (from + 2));
-      Bytes.set rgb (into + 1) (Bytes.get row (from + 1));
-      Bytes.set rgb (into + 2) (Bytes.get row from)
-    done
+    let decoded = Uncompressed.decode Bmp ~width row in
+    Bytes.blit decoded 0 rgb (3 * width * y) (3 * width)
   done;
   picture
 
