@@ -43,7 +43,9 @@ let swatches () =
 
 let text pixels =
   let swatches = swatches () in
-  let one (pixel, e) = Format.asprintf "%a\n" (Report.pp ~swatches ~pixel) e in
+  let one (pixel, e) =
+    Format.asprintf "%a\n" (Report.pp_with ~swatches ~pixel) e
+  in
   String.concat "\n" (List.map one pixels)
 
 let steps scene pixels =

@@ -17,7 +17,8 @@ let line ppf =
 
 type style = { swatches : Swatch.t }
 
-let color { swatches } ppf c = pf ppf "%a%a" Color.pp c (Swatch.pp swatches) c
+let color { swatches } ppf c =
+  pf ppf "%a%a" Color.pp c (Swatch.pp_with swatches) c
 
 (* {1 Lights} *)
 
@@ -94,19 +95,20 @@ let rec print_ray style ppf number (e : Explain.t) =
 
 (* {1 All of it} *)
 
-let print_summary { swatches } pixel ppf e =
+let pp_summary_with ?(swatches = Swatch.None) ?pixel ppf e =
   pf ppf "@[<hov>%a:%a@ %a@]" text (Summary.subject ?pixel e)
-    (Swatch.pp swatches) e.color text (Summary.reason e)
+    (Swatch.pp_with swatches) e.color text (Summary.reason e)
 
-let pp_summary ?(swatches = Swatch.None) ?pixel ppf e =
-  print_summary { swatches } pixel ppf e
-
-let pp_tree ?(swatches = Swatch.None) ppf e =
+let pp_tree_with ?(swatches = Swatch.None) ppf e =
   pf ppf "@[<v>";
   print_ray { swatches } ppf 1 e;
   pf ppf "@]"
 
-let pp ?swatches ?pixel ppf e =
+let pp_with ?swatches ?pixel ppf e =
   pf ppf "@[<v>%a@,@,%a@]"
-    (pp_summary ?swatches ?pixel)
-    e (pp_tree ?swatches) e
+    (pp_summary_with ?swatches ?pixel)
+    e (pp_tree_with ?swatches) e
+
+let pp ppf e = pp_with ppf e
+let pp_summary ppf e = pp_summary_with ppf e
+let pp_tree ppf e = pp_tree_with ppf e

@@ -35,7 +35,7 @@ let palette_entry (r, g, b) =
   then 232 + grey
   else 16 + (36 * i) + (6 * j) + k
 
-let pp swatch ppf color =
+let pp_with swatch ppf color =
   let r, g, b = Color.to_bytes color in
   let patch background =
     Format.pp_print_string ppf " ";

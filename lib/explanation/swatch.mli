@@ -14,6 +14,6 @@ val detect : is_terminal:bool -> (string -> string option) -> t
     missing or empty; {!True_color} if [COLORTERM] is [truecolor] or [24bit];
     else {!Palette}. *)
 
-val pp : t -> Format.formatter -> Color.t -> unit
-(** [pp swatch ppf c] prints a blank and a patch, two columns wide, of the
+val pp_with : t -> Format.formatter -> Color.t -> unit
+(** [pp_with swatch ppf c] prints a blank and a patch, two columns wide, of the
     colour that a picture shows for [c]; or nothing if [swatch] is {!None}. *)

@@ -12,7 +12,7 @@ let sphere = Sphere.pp
 let plane = Plane.pp
 
 let color ppf c =
-  Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp (Tell.swatches ())) c
+  Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp_with (Tell.swatches ())) c
 
 let surface = Surface.pp
 
@@ -57,7 +57,7 @@ let verdict ppf : Explain.verdict -> unit = function
 let explain_light ppf (l : Explain.light) =
   Format.fprintf ppf "light %d: %a" l.number verdict l.verdict
 
-let explain ppf e = Report.pp ~swatches:(Tell.swatches ()) ppf e
+let explain ppf e = Report.pp_with ~swatches:(Tell.swatches ()) ppf e
 
 let surface_hit ppf (h : Explain.surface_hit) =
   Format.fprintf ppf "@[<v>%a@,%a@,%a" hit h.hit object_ h.object_ meaning

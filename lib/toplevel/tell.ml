@@ -23,4 +23,6 @@ let swatches () =
   Swatch.detect ~is_terminal:(Unix.isatty Unix.stdout) Sys.getenv_opt
 
 let summary ~pixel e =
-  Format.printf "%a@." (Report.pp_summary ~swatches:(swatches ()) ~pixel) e
+  Format.printf "%a@."
+    (Report.pp_summary_with ~swatches:(swatches ()) ~pixel)
+    e

@@ -23,6 +23,6 @@ let make channel ~tell =
     tell;
     explain =
       (fun pixel e ->
-        let pp = Report.pp ~swatches ~pixel in
+        let pp = Report.pp_with ~swatches ~pixel in
         write channel (Format.asprintf "%a@.@." pp e));
   }

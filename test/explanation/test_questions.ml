@@ -30,9 +30,7 @@ let test { Questions.scene; x; y; why; summary; tree } =
     let e = Explain.pixel (load scene) ~x ~y in
     let pixel = (x, y) in
     let said = Summary.to_string ~pixel e in
-    let printed =
-      one_line (Format.asprintf "%a" (Report.pp_tree ?swatches:None) e)
-    in
+    let printed = one_line (Format.asprintf "%a" Report.pp_tree e) in
     List.iter (fun part -> Expect.contains "summary" ~part said) summary;
     List.iter (fun part -> Expect.contains "tree" ~part printed) tree
   in

@@ -5,7 +5,7 @@ open Test_support
 open Build
 
 let print ?swatches ?pixel e =
-  Format.asprintf "%a" (Report.pp ?swatches ?pixel) e
+  Format.asprintf "%a" (Report.pp_with ?swatches ?pixel) e
 
 let lines = String.split_on_char '\n'
 let is_narrow line = String.length line <= 80

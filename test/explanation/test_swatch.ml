@@ -30,7 +30,7 @@ let test_print () =
   let check what expected swatch color =
     Alcotest.(check string)
       what expected
-      (Format.asprintf "%a" (Swatch.pp swatch) color)
+      (Format.asprintf "%a" (Swatch.pp_with swatch) color)
   in
   check "none" "" Swatch.None Color.red;
   check "24 bits" " \027[48;2;255;128;0m  \027[0m" Swatch.True_color

@@ -1,1 +1,3 @@
-let () = Alcotest.run "toplevel" [ Test_walk.suite; Test_fast.suite ]
+let () =
+  Alcotest.run "toplevel"
+    [ Test_walk.suite; Test_fast.suite; Test_printing.suite ]
