@@ -27,6 +27,12 @@ val neg : t -> t
 val dot : t -> t -> float
 (** [dot u v] is the scalar product of [u] and [v]. *)
 
+val cross : t -> t -> t
+(** [cross u v] is the vector product of [u] and [v]: perpendicular to both, as
+    long as the parallelogram between them is large. In this left-handed frame
+    x, y and [cross x y], which is z, are the thumb, forefinger and middle
+    finger of a left hand. *)
+
 val length_squared : t -> float
 (** [length_squared v] is [dot v v]. It overflows to infinity from components
     of about 1e154 on, and underflows to 0 below about 1e-162. *)
@@ -45,6 +51,21 @@ val is_finite : t -> bool
 val equal : t -> t -> bool
 (** [equal u v] is whether the components are equal as numbers: 0 equals -0,
     NaN equals nothing. *)
+
+(** Operators, for [Vec3.Infix.(a + (2. * b))]. *)
+module Infix : sig
+  val ( + ) : t -> t -> t
+  (** [u + v] is {!add}[ u v]. *)
+
+  val ( - ) : t -> t -> t
+  (** [u - v] is {!sub}[ u v]. *)
+
+  val ( * ) : float -> t -> t
+  (** [k * v] is {!scale}[ k v]. *)
+
+  val ( ~- ) : t -> t
+  (** [-v] is {!neg}[ v]. *)
+end
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [(1, 2.5, -3)]; see {!Number.pp}. *)

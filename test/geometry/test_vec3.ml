@@ -22,6 +22,23 @@ let test_measures () =
   check_number "sum of absolutes" 11. (Vec3.magnitude (v 2. (-3.) 6.));
   check_number "|0|" 0. (Vec3.length Vec3.zero)
 
+(* x, y and z follow each other round; (2, 0, 0) and (1, 3, 0) span a
+   parallelogram of 2 * 3. *)
+let test_cross () =
+  let x = v 1. 0. 0. and y = v 0. 1. 0. and z = v 0. 0. 1. in
+  check "x, y" z (Vec3.cross x y);
+  check "y, z" x (Vec3.cross y z);
+  check "z, x" y (Vec3.cross z x);
+  check "the other way round" (v 0. 0. (-1.)) (Vec3.cross y x);
+  check "area" (v 0. 0. 6.) (Vec3.cross (v 2. 0. 0.) (v 1. 3. 0.));
+  check "of itself" Vec3.zero (Vec3.cross a a);
+  check_number "perpendicular to a" 0. (Vec3.dot a (Vec3.cross a b));
+  check_number "perpendicular to b" 0. (Vec3.dot b (Vec3.cross a b))
+
+(* 2 (1, 2, 3) - (4, -5, 6) + (-(4, -5, 6)) *)
+let test_infix () =
+  check "all of them" (v (-6.) 14. (-6.)) Vec3.Infix.((2. * a) - b + -b)
+
 let test_limits () =
   check_number "1e200 overflows" infinity (Vec3.length (v 1e200 0. 0.));
   check_number "1e-200 underflows" 0. (Vec3.length (v 0. 1e-200 0.));
@@ -49,6 +66,8 @@ let suite =
   ( "Vec3",
     [
       Alcotest.test_case "arithmetic" `Quick test_arithmetic;
+      Alcotest.test_case "cross" `Quick test_cross;
+      Alcotest.test_case "operators" `Quick test_infix;
       Alcotest.test_case "measures" `Quick test_measures;
       Alcotest.test_case "overflow and underflow" `Quick test_limits;
       Alcotest.test_case "equality" `Quick test_equality;
