@@ -79,7 +79,7 @@ let fit (scene : Scene.t) e =
     List.filter_map
       (fun (light : Light.t) ->
         match light.source with
-        | Point position -> Some position
+        | Spherical position -> Some position
         | Directional _ -> None)
       scene.lights
   and extents (ball : Sphere.t) =

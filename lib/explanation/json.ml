@@ -89,7 +89,7 @@ let light { Explain.number = n; light; verdict = v } : Yojson.Safe.t =
   let place =
     match light.source with
     | Directional along -> ("direction", direction along)
-    | Point position -> ("position", vector position)
+    | Spherical position -> ("position", vector position)
   in
   `Assoc
     ([

@@ -71,7 +71,7 @@ let draw view ~shown lights =
     let number = i + 1 in
     let name = Printf.sprintf "light %d" number in
     match light.source with
-    | Point position -> point_light view name position
+    | Spherical position -> point_light view name position
     | Directional along ->
         if List.mem number shown then [] else directional view name along
   in

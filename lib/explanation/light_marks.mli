@@ -3,7 +3,7 @@
 open Raylab_scene
 
 val draw : View.t -> shown:int list -> Light.t list -> Svg.t list
-(** [draw view ~shown lights] is a mark for each point light, at the edge of
-    the panel if the light is farther away, and an arrow at the edge for each
-    directional one, that points as it shines, except for those whose numbers
-    are in [shown]. At most 20 lights are drawn. *)
+(** [draw view ~shown lights] is a mark for each spherical light, at the edge
+    of the panel if the light is farther away, and an arrow at the edge for
+    each directional one, that points as it shines, except for those whose
+    numbers are in [shown]. At most 20 lights are drawn. *)

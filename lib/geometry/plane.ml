@@ -34,5 +34,5 @@ let nearest { point = p; normal } (ray : Ray.t) =
   nearest_raw p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t)
 
 let pp ppf { point; normal } =
-  Format.fprintf ppf "plane through %a normal %a" Vec3.pp point Direction.pp
+  Format.fprintf ppf "plane point %a normal %a" Vec3.pp point Direction.pp
     normal

@@ -33,4 +33,4 @@ val nearest_raw :
     planes as numbers. *)
 
 val pp : Format.formatter -> t -> unit
-(** [pp] prints [plane through (0, -1, 0) normal (0, 1, 0)]. *)
+(** [pp] prints [plane point (0, -1, 0) normal (0, 1, 0)]. *)

@@ -29,8 +29,8 @@ let[@inline] at (ray : t) t =
     (ray.oy +. (t *. ray.dy))
     (ray.oz +. (t *. ray.dz))
 
-let reflect ray ~at ~normal =
-  make ~origin:at ~direction:(Direction.reflect (direction ray) ~normal)
+let reflect ray ~point ~normal =
+  make ~origin:point ~direction:(Direction.reflect (direction ray) ~normal)
 
 let pp ppf (ray : t) =
   Format.fprintf ppf "%a + t %a" Vec3.pp (origin ray) Direction.pp

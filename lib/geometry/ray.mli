@@ -29,8 +29,8 @@ val reach : t -> float
 val at : t -> float -> Vec3.t
 (** [at ray t] is the point of [ray] at distance [t]. *)
 
-val reflect : t -> at:Vec3.t -> normal:Direction.t -> t
-(** [reflect ray ~at ~normal] is the ray without end from the point [at] in the
+val reflect : t -> point:Vec3.t -> normal:Direction.t -> t
+(** [reflect ray ~point ~normal] is the ray without end from [point] in the
     direction of [ray] mirrored by a surface with this [normal]. *)
 
 val pp : Format.formatter -> t -> unit

@@ -61,4 +61,4 @@ val equal : t -> t -> bool
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [sphere centre (0, 0, 6) radius 1] and
-    [plane through (0, -1, 0) normal (0, 1, 0)]. *)
+    [plane point (0, -1, 0) normal (0, 1, 0)]. *)

@@ -10,7 +10,8 @@ let check_light words { Syntax.source; intensity; color; _ } =
   match source with
   | Directional direction ->
       Check_words.direction words "the direction" direction
-  | Point position -> Check_words.vector words "the light's position" position
+  | Spherical position ->
+      Check_words.vector words "the light's position" position
 
 let check_shape words shape =
   Check_words.skip_keyword words;
@@ -50,10 +51,10 @@ let check_object words { Syntax.shape; surface; _ } =
    checks above say what is wrong, and where. *)
 
 let light { Syntax.source; intensity; color; line; _ } =
-  match source with
-  | Directional direction ->
-      Light.directional ~line ~intensity ~color direction
-  | Point position -> Light.point ~line ~intensity ~color position
+  Light.with_line (Some line)
+    (match source with
+    | Directional direction -> Light.directional ~intensity ~color ~direction
+    | Spherical position -> Light.spherical ~intensity ~color ~position)
 
 let shape = function
   | Syntax.Sphere { centre; radius } -> Shape.sphere ~centre ~radius

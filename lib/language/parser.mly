@@ -81,7 +81,7 @@ light:
       { { Syntax.source = Directional direction; intensity; color;
           start = start $startpos; line = line $startpos } }
   | "spherical" intensity = number color = color position = vector
-      { { Syntax.source = Point position; intensity; color;
+      { { Syntax.source = Spherical position; intensity; color;
           start = start $startpos; line = line $startpos } }
 
 objects:

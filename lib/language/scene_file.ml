@@ -78,7 +78,7 @@ let print_light ppf (light : Light.t) =
     (number light.intensity) (color light.color)
     (match light.source with
     | Directional direction -> vector (direction :> Vec3.t)
-    | Point position -> vector position)
+    | Spherical position -> vector position)
 
 let print_part ppf (_, part) =
   match (part : Part.t) with

@@ -20,7 +20,7 @@ type setting =
   | Background of Color.t
   | Ray_depth of float located  (** A setting of the header. *)
 
-type source = Directional of Vec3.t | Point of Vec3.t
+type source = Directional of Vec3.t | Spherical of Vec3.t
 
 type light = {
   source : source;

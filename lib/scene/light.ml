@@ -1,6 +1,6 @@
 open Raylab_geometry
 
-type source = Directional of Direction.t | Point of Vec3.t
+type source = Directional of Direction.t | Spherical of Vec3.t
 
 type t = {
   source : source;
@@ -9,18 +9,18 @@ type t = {
   line : int option;
 }
 
-let make ?line ~intensity ~color source =
+let make ~intensity ~color source =
   Number.require Non_negative "an intensity" intensity;
   Color.require "a light's colour" color;
-  { source; intensity; color; line }
+  { source; intensity; color; line = None }
 
-let directional ?line ~intensity ~color direction =
-  make ?line ~intensity ~color (Directional (Direction.of_vec3_exn direction))
+let directional ~intensity ~color ~direction =
+  make ~intensity ~color (Directional (Direction.of_vec3_exn direction))
 
-let point ?line ~intensity ~color position =
+let spherical ~intensity ~color ~position =
   if not (Vec3.is_finite position) then
     invalid_arg "a light's position must be finite";
-  make ?line ~intensity ~color (Point position)
+  make ~intensity ~color (Spherical position)
 
 type incidence = { towards : Direction.t; cosine : float; falloff : float }
 
@@ -32,7 +32,7 @@ let incidence light ~point ~normal =
   | Directional along ->
       let towards = Direction.neg along in
       Some { towards; cosine = cosine towards normal; falloff = 1. }
-  | Point position ->
+  | Spherical position ->
       let way = Vec3.sub position point in
       let with_direction towards =
         {
@@ -61,25 +61,25 @@ let shadow_ray light ~point ~normal ~offset =
   match light.source with
   | Directional along ->
       Some (Ray.make ~origin ~direction:(Direction.neg along))
-  | Point position -> Ray.towards ~origin ~target:position ~short:offset
+  | Spherical position -> Ray.towards ~origin ~target:position ~short:offset
 
 let blocks shadow_ray t = 0. < t && t < Ray.reach shadow_ray
 
 let name light =
   match light.source with
   | Directional _ -> "directional"
-  | Point _ -> "spherical"
+  | Spherical _ -> "spherical"
 
-let without_line light = { light with line = None }
+let with_line line light = { light with line }
 
 let map_color f { source; intensity; color; line } =
-  make ?line ~intensity ~color:(f color) source
+  with_line line (make ~intensity ~color:(f color) source)
 
 let equal_source a b =
   match (a, b) with
   | Directional a, Directional b -> Vec3.equal (a :> Vec3.t) (b :> Vec3.t)
-  | Point a, Point b -> Vec3.equal a b
-  | (Directional _ | Point _), _ -> false
+  | Spherical a, Spherical b -> Vec3.equal a b
+  | (Directional _ | Spherical _), _ -> false
 
 let equal a b =
   equal_source a.source b.source
@@ -87,13 +87,9 @@ let equal a b =
   && Color.equal a.color b.color
 
 let pp ppf light =
-  let rest ppf () =
-    Format.fprintf ppf "intensity %a, %a" Number.pp light.intensity Color.pp
-      light.color
+  let place ppf = function
+    | Directional along -> Format.fprintf ppf "direction %a" Direction.pp along
+    | Spherical position -> Format.fprintf ppf "position %a" Vec3.pp position
   in
-  match light.source with
-  | Directional along ->
-      Format.fprintf ppf "directional light, %a, along %a" rest () Direction.pp
-        along
-  | Point position ->
-      Format.fprintf ppf "point light, %a, at %a" rest () Vec3.pp position
+  Format.fprintf ppf "%s light, intensity %a, %a, %a" (name light) Number.pp
+    light.intensity Color.pp light.color place light.source

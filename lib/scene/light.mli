@@ -4,7 +4,7 @@ open Raylab_geometry
 
 type source =
   | Directional of Direction.t  (** travels along this direction everywhere *)
-  | Point of Vec3.t  (** shines from this point to all sides *)
+  | Spherical of Vec3.t  (** shines from this point to all sides *)
 
 type t = private {
   source : source;
@@ -20,13 +20,14 @@ type t = private {
     negative or not finite, or a coordinate is not finite, or [direction] is
     the zero vector. *)
 
-val directional : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
-(** [directional ~intensity ~color direction] is light that travels along
+val directional : intensity:float -> color:Color.t -> direction:Vec3.t -> t
+(** [directional ~intensity ~color ~direction] is light that travels along
     [direction], a vector of any length, as from a sun. *)
 
-val point : ?line:int -> intensity:float -> color:Color.t -> Vec3.t -> t
-(** [point ~intensity ~color position] is the scene language's [spherical]
-    light: it falls off with the square of the distance from [position].
+val spherical : intensity:float -> color:Color.t -> position:Vec3.t -> t
+(** [spherical ~intensity ~color ~position] is light that shines from
+    [position] to all sides and falls off with the square of the distance, as
+    from a bulb.
 
     In a picture it gives nothing where that square is no double: beyond about
     1e154, where only an intensity of more than 1e304 could be seen, and within
@@ -40,15 +41,15 @@ type incidence = {
       (** of the angle between [towards] and the normal; not positive where the
           surface faces away *)
   falloff : float;
-      (** 1 over the squared distance for a point light, 1 for a directional
-          one *)
+      (** 1 over the squared distance for a spherical light, 1 for a
+          directional one *)
 }
 (** How light meets a surface. *)
 
 val incidence : t -> point:Vec3.t -> normal:Direction.t -> incidence option
 (** [incidence light ~point ~normal] is how [light] meets a surface through
-    [point] with [normal], or [None] if a point light is exactly at [point], or
-    too far from it for a double, where it gives nothing. *)
+    [point] with [normal], or [None] if a spherical light is exactly at
+    [point], or too far from it for a double, where it gives nothing. *)
 
 val power : t -> Color.t
 (** [power light] is [intensity * color], at most [max_float]. *)
@@ -68,9 +69,9 @@ val shadow_ray :
   t -> point:Vec3.t -> normal:Direction.t -> offset:float -> Ray.t option
 (** [shadow_ray light ~point ~normal ~offset] is the ray that asks whether
     [point] sees [light]. It starts [offset] from [point] along [normal]; for a
-    point light it ends [offset] before the light, so that a light that lies on
-    a surface is not in that surface's shadow. [None] if the light is where the
-    ray would start. *)
+    spherical light it ends [offset] before the light, so that a light that
+    lies on a surface is not in that surface's shadow. [None] if the light is
+    where the ray would start. *)
 
 val blocks : Ray.t -> float -> bool
 (** [blocks shadow_ray t] is whether a hit at distance [t] of a shadow ray lies
@@ -80,8 +81,9 @@ val name : t -> string
 (** [name light] is the scene language's word: ["directional"] or
     ["spherical"]. *)
 
-val without_line : t -> t
-(** [without_line light] is [light], of no file. *)
+val with_line : int option -> t -> t
+(** [with_line line light] is [light] with this line, or with none: of no file.
+*)
 
 val map_color : (Color.t -> Color.t) -> t -> t
 (** [map_color f light] is [light] in the colour [f color].
@@ -93,5 +95,6 @@ val equal : t -> t -> bool
     count. *)
 
 val pp : Format.formatter -> t -> unit
-(** [pp] prints [directional light, intensity 1, rgb 1 1 1, along (0, -1, 0)]
-    or [point light, intensity 1, rgb 1 1 1, at (0, 5, 0)]. *)
+(** [pp] prints
+    [directional light, intensity 1, rgb 1 1 1, direction (0, -1, 0)] or
+    [spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0)]. *)

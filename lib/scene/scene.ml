@@ -26,7 +26,7 @@ let without_lines scene =
   let forget (o : Object.t) = { o with line = None } in
   {
     scene with
-    lights = List.map Light.without_line scene.lights;
+    lights = List.map (Light.with_line None) scene.lights;
     objects = List.map forget scene.objects;
   }
 

@@ -17,9 +17,11 @@ let magenta = Color.magenta
 let yellow = Color.yellow
 
 let directional intensity color direction =
-  Light.directional ~intensity ~color direction
+  Light.directional ~intensity ~color ~direction
 
-let spherical intensity color point = Light.point ~intensity ~color point
+let spherical intensity color position =
+  Light.spherical ~intensity ~color ~position
+
 let diffusive = Surface.diffusive
 let reflective = Surface.reflective
 let luminous = Surface.luminous

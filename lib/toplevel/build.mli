@@ -44,7 +44,7 @@ val directional : float -> Color.t -> Vec3.t -> Light.t
     [direction], as from a sun. *)
 
 val spherical : float -> Color.t -> Vec3.t -> Light.t
-(** [spherical intensity color point] is a light bulb at [point]. *)
+(** [spherical intensity color position] is a light bulb at [position]. *)
 
 (** {1 Surfaces} *)
 

@@ -50,7 +50,7 @@ val meaning : Format.formatter -> Surface.meaning -> unit
 
 val light : Format.formatter -> Light.t -> unit
 [@@ocaml.toplevel_printer]
-(** [point light, intensity 1, rgb 1 1 1, at (0, 5, 0)] *)
+(** [spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0)] *)
 
 val incidence : Format.formatter -> Light.incidence -> unit
 [@@ocaml.toplevel_printer]

@@ -21,7 +21,7 @@ type t =
   | Faces_away of { light : int; cosine : float }
       (** The surface is turned away from the light: [cosine], of the angle
           between the normal and the way to the light, is not positive. It is
-          0, too, where a point light gives nothing since the square of its
+          0, too, where a spherical light gives nothing since the square of its
           distance is no double. *)
   | Shadow_ray of { light : int; ray : Ray.t }
       (** A ray is sent to find out whether anything blocks the light. *)
@@ -32,7 +32,7 @@ type t =
       light : int;
       cosine : float;
       falloff : float;
-          (** 1 over the squared distance for a point light, else 1 *)
+          (** 1 over the squared distance for a spherical light, else 1 *)
       contribution : Color.t;
           (** [cosine * falloff * intensity * colour] of the light *)
     }  (** Nothing is in the way. *)

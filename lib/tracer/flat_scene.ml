@@ -44,7 +44,7 @@ let light_numbers light =
   let power = Light.power light in
   let kind, { Vec3.x; y; z } =
     match light.source with
-    | Point position -> (1., position)
+    | Spherical position -> (1., position)
     | Directional along -> (0., (Direction.neg along :> Vec3.t))
   in
   [| kind; x; y; z; power.r; power.g; power.b |]

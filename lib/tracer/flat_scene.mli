@@ -13,9 +13,9 @@ type t = private {
           on, mirror at {!mirror_at}; at {!varies_at} 1 if that is to be asked
           anew at each point, and 0 otherwise *)
   lights : float array;
-      (** {!light_size} numbers for each light: 1 for a point light and 0 for a
-          directional one; the position, or the direction towards the light;
-          the power *)
+      (** {!light_size} numbers for each light: 1 for a spherical light and 0
+          for a directional one; the position, or the direction towards the
+          light; the power *)
   index : Query.index;
   offset : float;
       (** how far off a surface a ray that leaves it starts, unless the numbers

@@ -72,9 +72,9 @@ let point_light t at =
   let wx = lx -. hit.x and wy = ly -. hit.y and wz = lz -. hit.z in
   let facing = (hit.nx *. wx) +. (hit.ny *. wy) +. (hit.nz *. wz)
   and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
-  (* A light whose distance cannot be squared gives nothing: see Light.point.
-     The limit of the offset sees to it that [way] below can be squared as
-     well. *)
+  (* A light whose distance cannot be squared gives nothing: see
+     Light.spherical. The limit of the offset sees to it that [way] below can
+     be squared as well. *)
   let cosine =
     if squared > 0. && squared < farthest && hit.offset < 0x1p500 then
       facing /. sqrt squared

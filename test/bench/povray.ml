@@ -47,7 +47,7 @@ let write_light channel camera (light : Light.t) =
       Printf.fprintf channel
         "light_source { %s rgb %s parallel point_at <0,0,0> }\n" (vector back)
         (color power)
-  | Point position ->
+  | Spherical position ->
       let distance = fade *. scale in
       let near = 1. /. (2. *. distance *. distance) in
       Printf.fprintf channel

@@ -17,7 +17,7 @@ val version : unit -> string option
 val write : out_channel -> Scene.t -> unit
 (** [write channel scene] writes [scene] in POV-Ray's language: the same
     camera, shapes, surfaces and length of chains. A directional light becomes
-    a parallel light far away. A point light gets POV-Ray's fall-off
+    a parallel light far away. A spherical light gets POV-Ray's fall-off
     [2 / (1 + (d / f)^2)] with an [f] so small that this is [2 (f / d)^2].
 
     @raise Invalid_argument

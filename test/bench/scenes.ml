@@ -57,10 +57,11 @@ let floor =
     (half_mirror (Color.make 0.8 0.8 0.8))
 
 let sun =
-  Light.directional ~intensity:0.7 ~color:Color.white (Vec3.make 1. (-2.) 1.5)
+  Light.directional ~intensity:0.7 ~color:Color.white
+    ~direction:(Vec3.make 1. (-2.) 1.5)
 
 let bulb position =
-  Light.point ~intensity:20. ~color:(Color.make 1. 0.9 0.8) position
+  Light.spherical ~intensity:20. ~color:(Color.make 1. 0.9 0.8) ~position
 
 let random_scene n () =
   let random = Random.State.make [| n |] in

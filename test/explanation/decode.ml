@@ -21,13 +21,10 @@ let ray_members = [ "origin"; "direction"; "reach" ]
 let shadow_ray json = bare_ray (members ray_members json)
 
 let light json : Explain.light =
-  let place, names =
-    match kind json with
-    | "directional" -> (Light.directional, "direction")
-    | _ -> (Light.point, "position")
-  in
+  let is_directional = kind json = "directional" in
+  let place = if is_directional then "direction" else "position" in
   let base =
-    [ "number"; "line"; "kind"; names; "intensity"; "color"; "verdict" ]
+    [ "number"; "line"; "kind"; place; "intensity"; "color"; "verdict" ]
   in
   let get rest = members (base @ rest) json in
   let verdict, get =
@@ -51,11 +48,14 @@ let light json : Explain.light =
     | other -> wrong other
   in
   let light =
-    place
-      ?line:(optional int (get "line"))
-      ~intensity:(float (get "intensity"))
-      ~color:(color (get "color"))
-      (vector (get names))
+    let intensity = float (get "intensity")
+    and color = color (get "color")
+    and place = vector (get place) in
+    Light.with_line
+      (optional int (get "line"))
+      (if is_directional then
+         Light.directional ~intensity ~color ~direction:place
+       else Light.spherical ~intensity ~color ~position:place)
   in
   { number = int (get "number"); light; verdict }
 

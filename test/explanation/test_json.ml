@@ -93,10 +93,14 @@ let test_all_kinds () =
   in
   let lights =
     [
-      Light.point ~line:3 ~intensity:0.7 ~color:Color.cyan (v 0. 1. (-1.));
-      Light.directional ~intensity:1. ~color:Color.white (v 0.3 1. 0.7);
-      Light.directional ~line:4 ~intensity:1. ~color:Color.white
-        (v 0. 1. (-1.));
+      Light.with_line (Some 3)
+        (Light.spherical ~intensity:0.7 ~color:Color.cyan
+           ~position:(v 0. 1. (-1.)));
+      Light.directional ~intensity:1. ~color:Color.white
+        ~direction:(v 0.3 1. 0.7);
+      Light.with_line (Some 4)
+        (Light.directional ~intensity:1. ~color:Color.white
+           ~direction:(v 0. 1. (-1.)));
     ]
   in
   let objects =

@@ -26,8 +26,12 @@ let check_count what expected part text =
 
 (* {1 Lines} *)
 
-let bulb x y z = Light.point ~intensity:9. ~color:Color.white (v x y z)
-let sun x y z = Light.directional ~intensity:1. ~color:Color.white (v x y z)
+let bulb x y z =
+  Light.spherical ~intensity:9. ~color:Color.white ~position:(v x y z)
+
+let sun x y z =
+  Light.directional ~intensity:1. ~color:Color.white ~direction:(v x y z)
+
 let white = Surface.diffusive Color.white
 
 (* A wall lit by a bulb and not by the sun, which a ball is in the way of, and a

@@ -38,9 +38,12 @@ let persistent =
 let test_order () =
   let lights =
     [
-      Light.directional ~intensity:1. ~color:Color.white (v 0. 0. (-1.));
-      Light.point ~intensity:9. ~color:Color.white (v 0. 5. (-5.));
-      Light.directional ~intensity:1. ~color:Color.white (v 0. 0. 1.);
+      Light.directional ~intensity:1. ~color:Color.white
+        ~direction:(v 0. 0. (-1.));
+      Light.spherical ~intensity:9. ~color:Color.white
+        ~position:(v 0. 5. (-5.));
+      Light.directional ~intensity:1. ~color:Color.white
+        ~direction:(v 0. 0. 1.);
     ]
   in
   let objects =

@@ -11,10 +11,10 @@ let check what expected ?background ?ray_depth ?(lights = []) objects =
   Alcotest.(check string) what expected (Summary.reason e)
 
 let sun ?(color = Color.white) ?(intensity = 1.) x y z =
-  Light.directional ~intensity ~color (v x y z)
+  Light.directional ~intensity ~color ~direction:(v x y z)
 
 let bulb ?(intensity = 1.) x y z =
-  Light.point ~intensity ~color:Color.white (v x y z)
+  Light.spherical ~intensity ~color:Color.white ~position:(v x y z)
 
 let red = Surface.diffusive Color.red
 let wall ?line surface = plane ?line (v 0. 0. 4.) (v 0. 0. 1.) surface

@@ -45,11 +45,11 @@ let test_reflect () =
   let down = ray (v 0. 5. 0.) (v 3. (-4.) 0.) in
   Alcotest.check (Same.ray_near 1e-15) "from the floor"
     (ray (v 3. 1. 0.) (v 3. 4. 0.))
-    (Ray.reflect down ~at:(v 3. 1. 0.) ~normal:(dir 0. 1. 0.));
+    (Ray.reflect down ~point:(v 3. 1. 0.) ~normal:(dir 0. 1. 0.));
   let short = Ray.towards ~origin:Vec3.zero ~target:(v 0. 0. 2.) ~short:0. in
   check_number "a reflected ray has no end" infinity
     (Ray.reach
-       (Ray.reflect (Option.get short) ~at:Vec3.zero ~normal:(dir 0. 1. 0.)))
+       (Ray.reflect (Option.get short) ~point:Vec3.zero ~normal:(dir 0. 1. 0.)))
 
 let test_pp () =
   Expect.prints "endless" "(0, 0, -4) + t (0, 0, 1)" Ray.pp
@@ -74,7 +74,7 @@ let cross (a : Vec3.t) (b : Vec3.t) =
 let law_of_reflection =
   Property.holds "the law of reflection" ~count:2000 rays_and_normals
     (fun (ray, normal) ->
-      let mirrored = Ray.reflect ray ~at:Vec3.zero ~normal in
+      let mirrored = Ray.reflect ray ~point:Vec3.zero ~normal in
       let d = (Ray.direction ray :> Vec3.t)
       and d' = (Ray.direction mirrored :> Vec3.t)
       and n = (normal :> Vec3.t) in
@@ -86,7 +86,7 @@ let either_side =
   Property.holds "the normal's side makes no difference" rays_and_normals
     (fun (ray, normal) ->
       let direction normal =
-        (Ray.direction (Ray.reflect ray ~at:Vec3.zero ~normal) :> Vec3.t)
+        (Ray.direction (Ray.reflect ray ~point:Vec3.zero ~normal) :> Vec3.t)
       in
       Vec3.equal (direction normal) (direction (Direction.neg normal)))
 

@@ -25,7 +25,7 @@ let test_plane () =
   Alcotest.check Same.direction "as given" (dir 0. 1. 0.)
     (Shape.normal floor (v 0. (-1.) 0.));
   Alcotest.(check string) "name" "plane" (Shape.name floor);
-  Expect.prints "pp" "plane through (0, -1, 0) normal (0, 1, 0)" Shape.pp floor;
+  Expect.prints "pp" "plane point (0, -1, 0) normal (0, 1, 0)" Shape.pp floor;
   Expect.invalid "zero normal" (fun () ->
       Shape.plane ~point:Vec3.zero ~normal:Vec3.zero)
 

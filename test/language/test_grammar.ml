@@ -28,8 +28,9 @@ let test_objects () =
 let test_lights () =
   let lights =
     [
-      Light.directional ~intensity:0.5 ~color:(rgb 1. 2. 3.) (v 0. (-2.) 0.);
-      Light.point ~intensity:7. ~color:Color.cyan (v 1. 2. 3.);
+      Light.directional ~intensity:0.5 ~color:(rgb 1. 2. 3.)
+        ~direction:(v 0. (-2.) 0.);
+      Light.spherical ~intensity:7. ~color:Color.cyan ~position:(v 1. 2. 3.);
     ]
   in
   let text = "lights directional .5 1 2 3 0 -2 0 spherical 7 cyan 1 2 3" in

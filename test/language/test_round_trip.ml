@@ -12,8 +12,10 @@ let test_print () =
       ~background:(rgb 0. 0.5 1.)
       ~lights:
         [
-          Light.directional ~intensity:1. ~color:Color.white (v 0. (-2.) 0.);
-          Light.point ~intensity:2.5 ~color:Color.red (v 1. 2. 3.);
+          Light.directional ~intensity:1. ~color:Color.white
+            ~direction:(v 0. (-2.) 0.);
+          Light.spherical ~intensity:2.5 ~color:Color.red
+            ~position:(v 1. 2. 3.);
         ]
       ~objects:
         [

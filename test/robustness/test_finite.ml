@@ -41,7 +41,7 @@ let check what scene = Alcotest.(check bool) what true (is_finite scene)
 
 (* {1 One place after another where doubles end} *)
 
-let bulb position = Light.point ~intensity:1. ~color:Color.white position
+let bulb position = Light.spherical ~intensity:1. ~color:Color.white ~position
 
 let matt =
   Surface.mixed

@@ -9,9 +9,11 @@ let up = dir 0. 1. 0.
 
 (* Travels to the right and down, so it comes from (-0.6, 0.8, 0). *)
 let sun =
-  Light.directional ~intensity:2. ~color:(rgb 1. 0.5 0.) (v 3. (-4.) 0.)
+  Light.directional ~intensity:2. ~color:(rgb 1. 0.5 0.)
+    ~direction:(v 3. (-4.) 0.)
 
-let bulb = Light.point ~intensity:50. ~color:(rgb 1. 0.5 0.) (v 3. 4. 0.)
+let bulb =
+  Light.spherical ~intensity:50. ~color:(rgb 1. 0.5 0.) ~position:(v 3. 4. 0.)
 
 let test_directional () =
   let incidence =
@@ -62,7 +64,8 @@ let test_at_the_light () =
     (Light.received bulb ~point:(v 3. 4. 0.) ~normal:up);
   let far = v max_float 0. 0. in
   let beyond =
-    Light.point ~intensity:1. ~color:Color.white (v (-1e308) 0. 0.)
+    Light.spherical ~intensity:1. ~color:Color.white
+      ~position:(v (-1e308) 0. 0.)
   in
   Alcotest.(check bool)
     "too far" true
@@ -71,7 +74,8 @@ let test_at_the_light () =
 let test_power () =
   check_color "intensity * colour" (rgb 50. 25. 0.) (Light.power bulb);
   let blinding =
-    Light.directional ~intensity:1e200 ~color:(rgb 1e200 1. 0.) (v 0. (-1.) 0.)
+    Light.directional ~intensity:1e200 ~color:(rgb 1e200 1. 0.)
+      ~direction:(v 0. (-1.) 0.)
   in
   check_color "at most max_float" (rgb max_float 1e200 0.)
     (Light.power blinding);
@@ -80,7 +84,9 @@ let test_power () =
 
 (* 1 / (1e-200)^2 is no double either. *)
 let test_very_near () =
-  let light = Light.point ~intensity:1. ~color:Color.red (v 0. 1e-200 0.) in
+  let light =
+    Light.spherical ~intensity:1. ~color:Color.red ~position:(v 0. 1e-200 0.)
+  in
   check_color "at most max_float" (rgb max_float 0. 0.)
     (Light.received light ~point:Vec3.zero ~normal:up)
 
@@ -88,13 +94,14 @@ let test_values () =
   Alcotest.(check string) "name" "directional" (Light.name sun);
   Alcotest.(check string) "name" "spherical" (Light.name bulb);
   Expect.prints "directional"
-    "directional light, intensity 1, rgb 1 1 1, along (0, -1, 0)" Light.pp
-    (Light.directional ~intensity:1. ~color:Color.white (v 0. (-1.) 0.));
-  Expect.prints "point" "point light, intensity 1, rgb 1 1 1, at (0, 5, 0)"
-    Light.pp
-    (Light.point ~intensity:1. ~color:Color.white (v 0. 5. 0.));
+    "directional light, intensity 1, rgb 1 1 1, direction (0, -1, 0)" Light.pp
+    (Light.directional ~intensity:1. ~color:Color.white
+       ~direction:(v 0. (-1.) 0.));
+  Expect.prints "spherical"
+    "spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0)" Light.pp
+    (Light.spherical ~intensity:1. ~color:Color.white ~position:(v 0. 5. 0.));
   Alcotest.check Same.light "lines do not count" bulb
-    (Light.point ~line:9 ~intensity:50. ~color:(rgb 1. 0.5 0.) (v 3. 4. 0.));
+    (Light.with_line (Some 9) bulb);
   Alcotest.(check bool) "kinds differ" false (Light.equal sun bulb);
   check_color "map_color" Color.blue
     (Light.map_color (fun _ -> Color.blue) bulb).color
@@ -104,18 +111,19 @@ let test_invalid () =
   List.iter
     (fun bad ->
       Expect.invalid "intensity" (fun () ->
-          Light.point ~intensity:bad ~color at);
+          Light.spherical ~intensity:bad ~color ~position:at);
       Expect.invalid "colour" (fun () ->
-          Light.directional ~intensity:1. ~color:(rgb 0. bad 0.) at))
+          Light.directional ~intensity:1. ~color:(rgb 0. bad 0.) ~direction:at))
     [ nan; infinity; -1. ];
   List.iter
     (fun at ->
-      Expect.invalid "position" (fun () -> Light.point ~intensity:1. ~color at);
+      Expect.invalid "position" (fun () ->
+          Light.spherical ~intensity:1. ~color ~position:at);
       Expect.invalid "direction" (fun () ->
-          Light.directional ~intensity:1. ~color at))
+          Light.directional ~intensity:1. ~color ~direction:at))
     [ v nan 0. 0.; v 0. infinity 0.; v 0. 0. neg_infinity ];
   Expect.invalid "zero direction" (fun () ->
-      Light.directional ~intensity:1. ~color Vec3.zero)
+      Light.directional ~intensity:1. ~color ~direction:Vec3.zero)
 
 let finite =
   Property.holds "what is received is finite, whatever the numbers" ~count:2000

@@ -3,7 +3,9 @@ open Test_support
 open Build
 
 let ball = sphere (v 0. 0. 6.) 1. (Surface.diffusive (rgb 1. 0. 0.))
-let bulb = Light.point ~intensity:5. ~color:(rgb 0. 1. 0.) (v 0. 5. 0.)
+
+let bulb =
+  Light.spherical ~intensity:5. ~color:(rgb 0. 1. 0.) ~position:(v 0. 5. 0.)
 
 let scene =
   Scene.make ~background:(rgb 0. 0. 1.) ~lights:[ bulb ] ~objects:[ ball ]
@@ -36,7 +38,11 @@ let test_greyscale () =
   let grey_scene = Scene.greyscale scene in
   let expected =
     Scene.make ~background:(grey 0.0722)
-      ~lights:[ Light.point ~intensity:5. ~color:(grey 0.7152) (v 0. 5. 0.) ]
+      ~lights:
+        [
+          Light.spherical ~intensity:5. ~color:(grey 0.7152)
+            ~position:(v 0. 5. 0.);
+        ]
       ~objects:[ sphere (v 0. 0. 6.) 1. (Surface.diffusive (grey 0.2126)) ]
       (camera ())
   in
@@ -70,7 +76,7 @@ let test_pp () =
     (fun part -> Expect.contains "pp" ~part shown)
     [
       "1 x 1 pixels";
-      "light 1: point light";
+      "light 1: spherical light";
       "object 1: sphere centre (0, 0, 6) radius 1";
       "ray depth 4";
     ];

@@ -9,14 +9,16 @@ let check_ray = Alcotest.check (Same.ray_near 1e-14)
 
 (* Against the light's direction, from 0.1 above the point, without end. *)
 let test_directional () =
-  let sun = Light.directional ~intensity:1. ~color (v 3. (-4.) 0.) in
+  let sun =
+    Light.directional ~intensity:1. ~color ~direction:(v 3. (-4.) 0.)
+  in
   check_ray "upwards"
     (ray (v 5. 0.1 0.) (v (-3.) 4. 0.))
     (Option.get (Light.shadow_ray sun ~point:(v 5. 0. 0.) ~normal ~offset:0.1))
 
 (* From (0, 0.1, 0) to (0, 4, 0) it is 3.9; 0.1 of it is left out. *)
 let test_point () =
-  let bulb = Light.point ~intensity:1. ~color (v 0. 4. 0.) in
+  let bulb = Light.spherical ~intensity:1. ~color ~position:(v 0. 4. 0.) in
   let shadow_ray =
     Option.get (Light.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.1)
   in
@@ -36,7 +38,9 @@ let test_point () =
   check "never" false infinity
 
 let test_endless () =
-  let sun = Light.directional ~intensity:1. ~color (v 0. (-1.) 0.) in
+  let sun =
+    Light.directional ~intensity:1. ~color ~direction:(v 0. (-1.) 0.)
+  in
   let shadow_ray =
     Option.get (Light.shadow_ray sun ~point:Vec3.zero ~normal ~offset:0.1)
   in
@@ -44,7 +48,7 @@ let test_endless () =
   Alcotest.(check bool) "never" false (Light.blocks shadow_ray infinity)
 
 let test_none () =
-  let bulb = Light.point ~intensity:1. ~color (v 0. 0.5 0.) in
+  let bulb = Light.spherical ~intensity:1. ~color ~position:(v 0. 0.5 0.) in
   Alcotest.(check bool)
     "the light is where the ray starts" true
     (Light.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.5 = None)

@@ -15,7 +15,9 @@ let check what parts scene =
 let matt = sphere (v 0. 0. 6.) 1. (Surface.diffusive Color.white)
 let mirror = sphere (v 0. 0. 6.) 1. Surface.reflective
 let glow = sphere (v 0. 0. 6.) 1. (Surface.luminous Color.white)
-let bulb = Light.point ~intensity:1. ~color:Color.white (v 0. 5. 0.)
+
+let bulb =
+  Light.spherical ~intensity:1. ~color:Color.white ~position:(v 0. 5. 0.)
 
 let scene ?ray_depth ?(lights = [ bulb ]) ?(objects = [ matt ])
     ?(camera = camera ()) () =

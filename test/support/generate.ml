@@ -80,11 +80,13 @@ let light number =
   and* color = color number
   and* is_point = bool in
   if is_point then
-    map (fun position -> Light.point ~intensity ~color position) (vec3 number)
+    map
+      (fun position -> Light.spherical ~intensity ~color ~position)
+      (vec3 number)
   else
     map
       (fun (d : Direction.t) ->
-        Light.directional ~intensity ~color (d :> Vec3.t))
+        Light.directional ~intensity ~color ~direction:(d :> Vec3.t))
       (direction number)
 
 let scene ?(max_side = 12) number =

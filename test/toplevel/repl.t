@@ -40,25 +40,25 @@ So do all others.
   $ say 'Shape.sphere ~centre:(vec 0. 0. 6.) ~radius:1.'
   - : Shape.t = sphere centre (0, 0, 6) radius 1
   $ say 'match (List.hd (scene ()).objects).shape with Plane p -> Some p | _ -> None'
-  - : Plane.t option = Some plane through (0, -3, 0) normal (0, 1, 0)
+  - : Plane.t option = Some plane point (0, -3, 0) normal (0, 1, 0)
   $ say 'mixed [ (0.5, diffusive red); (0.5, reflective) ]'
   - : Surface.t = mixed 0.5 diffusive 1 0 0 0.5 reflective
   $ say 'Surface.meaning (luminous red)'
   - : Surface.meaning = emission rgb 1 0 0, albedo rgb 0 0 0, mirror 0
   $ say 'List.hd (scene ()).lights'
-  - : Light.t = directional light, intensity 1, rgb 1 1 1, along (0, 0, 1)
+  - : Light.t = directional light, intensity 1, rgb 1 1 1, direction (0, 0, 1)
   $ say 'List.hd (scene ()).objects'
-  - : Object.t = plane through (0, -3, 0) normal (0, 1, 0), reflective
+  - : Object.t = plane point (0, -3, 0) normal (0, 1, 0), reflective
   $ say '(scene ()).camera'
   - : Camera.t = 5 x 5 pixels through a canvas of 4 x 4 from (0, 0, -4)
   $ say 'scene ()'
   - : Scene.t =
   scene of 5 x 5 pixels, canvas 4 x 4, depth 4
   background rgb 0 0 0.5, ray depth 4
-  light 1: directional light, intensity 1, rgb 1 1 1, along (0, 0, 1)
-  light 2: point light, intensity 100, rgb 1 0 0, at (0, 0, 9)
-  object 1: plane through (0, -3, 0) normal (0, 1, 0), reflective
-  object 2: plane through (0, 0, 20) normal (0, 0, 1), luminous 1 0.5 0
+  light 1: directional light, intensity 1, rgb 1 1 1, direction (0, 0, 1)
+  light 2: spherical light, intensity 100, rgb 1 0 0, position (0, 0, 9)
+  object 1: plane point (0, -3, 0) normal (0, 1, 0), reflective
+  object 2: plane point (0, 0, 20) normal (0, 0, 1), luminous 1 0.5 0
   object 3: sphere centre (0, 0, 2) radius 1, diffusive 1 1 1
   $ say '(pixel 2 2).outcome'
   - : Explain.outcome =
@@ -260,10 +260,10 @@ program rendered it or the prompt itself.
   val s : Scene.t =
     scene of 5 x 5 pixels, canvas 4 x 4, depth 4
     background rgb 0 0 0.5, ray depth 4
-    light 1: directional light, intensity 1, rgb 1 1 1, along (0, 0, 1)
-    light 2: point light, intensity 100, rgb 1 0 0, at (0, 0, 9)
-    object 1: plane through (0, -3, 0) normal (0, 1, 0), reflective
-    object 2: plane through (0, 0, 20) normal (0, 0, 1), luminous 1 0.5 0
+    light 1: directional light, intensity 1, rgb 1 1 1, direction (0, 0, 1)
+    light 2: spherical light, intensity 100, rgb 1 0 0, position (0, 0, 9)
+    object 1: plane point (0, -3, 0) normal (0, 1, 0), reflective
+    object 2: plane point (0, 0, 20) normal (0, 0, 1), luminous 1 0.5 0
     object 3: sphere centre (0, 0, 2) radius 1, diffusive 1 1 1
   - : unit = ()
   - : bool = true

@@ -9,10 +9,10 @@ let centre ?background ?ray_depth ?lights objects =
   Trace.pixel (Trace.prepare scene) ~x:0 ~y:0
 
 let sun ?(intensity = 1.) x y z =
-  Light.directional ~intensity ~color:Color.white (Build.v x y z)
+  Light.directional ~intensity ~color:Color.white ~direction:(Build.v x y z)
 
 let bulb ?(intensity = 1.) x y z =
-  Light.point ~intensity ~color:Color.white (Build.v x y z)
+  Light.spherical ~intensity ~color:Color.white ~position:(Build.v x y z)
 
 let picture scene = fst (Render.picture ~domains:1 (Trace.prepare scene))
 

@@ -35,8 +35,11 @@ let test_sun () =
   check "along the wall" Color.black (lit [ Shot.sun 0. 1. 0. ] [ wall half ])
 
 let test_colors () =
-  let red = Light.directional ~intensity:1. ~color:Color.red (v 0. 0. 1.)
-  and dim = Light.directional ~intensity:0.5 ~color:Color.cyan (v 0. 0. 1.) in
+  let red =
+    Light.directional ~intensity:1. ~color:Color.red ~direction:(v 0. 0. 1.)
+  and dim =
+    Light.directional ~intensity:0.5 ~color:Color.cyan ~direction:(v 0. 0. 1.)
+  in
   check "lights add up" (rgb 0.5 0.5 0.125) (lit [ red; dim ] [ wall half ]);
   check "each through the albedo" (rgb 0.5 0. 0.) (lit [ red ] [ wall half ])
 
@@ -68,7 +71,11 @@ let test_over_exposed () =
 let test_grey () =
   let scene =
     Scene.make (camera ())
-      ~lights:[ Light.directional ~intensity:1. ~color:Color.red (v 0. 0. 1.) ]
+      ~lights:
+        [
+          Light.directional ~intensity:1. ~color:Color.red
+            ~direction:(v 0. 0. 1.);
+        ]
       ~objects:[ wall (Surface.diffusive Color.red) ]
   in
   let trace scene = Trace.pixel (Trace.prepare scene) ~x:0 ~y:0 in

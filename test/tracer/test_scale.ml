@@ -1,4 +1,4 @@
-(* With lengths k times as long, and point lights k^2 times as strong, the
+(* With lengths k times as long, and spherical lights k^2 times as strong, the
    picture stays the same. *)
 
 open Raylab_geometry
@@ -17,10 +17,10 @@ let scale_shape k = function
 let scale_light k (light : Light.t) =
   match light.source with
   | Directional _ -> light
-  | Point position ->
-      Light.point
+  | Spherical position ->
+      Light.spherical
         ~intensity:(k *. k *. light.intensity)
-        ~color:light.color (Vec3.scale k position)
+        ~color:light.color ~position:(Vec3.scale k position)
 
 let scale k (scene : Scene.t) =
   let { Camera.width; height; canvas_width; canvas_height; depth } =

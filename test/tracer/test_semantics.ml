@@ -57,7 +57,7 @@ let rec trace (scene : Scene.t) n ray =
         Surface.meaning (Surface.at surface point)
       in
       let start = Vec3.add point (Vec3.scale offset (normal :> Vec3.t)) in
-      let mirrored = Ray.reflect ray ~at:start ~normal in
+      let mirrored = Ray.reflect ray ~point:start ~normal in
       Color.add emission
         (Color.add
            (Color.multiply albedo (light scene ~point ~normal ~offset))

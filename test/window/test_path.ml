@@ -68,8 +68,10 @@ let overlay ~first_row =
     Scene.make camera ~ray_depth:2
       ~lights:
         [
-          Light.point ~intensity:1. ~color:Color.white (vec 0. 3. 5.);
-          Light.point ~intensity:1. ~color:Color.white (vec 0. 0. 30.);
+          Light.spherical ~intensity:1. ~color:Color.white
+            ~position:(vec 0. 3. 5.);
+          Light.spherical ~intensity:1. ~color:Color.white
+            ~position:(vec 0. 0. 30.);
         ]
       ~objects:
         [
