@@ -10,17 +10,32 @@ type t = {
 
 let default_ray_depth = 4
 let max_ray_depth = 1_000_000
+let require_background = Color.require "the background"
 
-let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
-    ?(lights = []) ?(objects = []) camera =
-  Color.require "the background" background;
+let require_ray_depth ray_depth =
   if ray_depth < 0 || ray_depth > max_ray_depth then
     invalid_arg
       (Printf.sprintf "the ray depth must be from 0 to %d, not %d"
-         max_ray_depth ray_depth);
+         max_ray_depth ray_depth)
+
+let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
+    ?(lights = []) ?(objects = []) camera =
+  require_background background;
+  require_ray_depth ray_depth;
   { camera; background; ray_depth; lights; objects }
 
 let with_camera camera scene = { scene with camera }
+
+let with_background background scene =
+  require_background background;
+  { scene with background }
+
+let with_ray_depth ray_depth scene =
+  require_ray_depth ray_depth;
+  { scene with ray_depth }
+
+let with_lights lights scene = { scene with lights }
+let with_objects objects scene = { scene with objects }
 
 let without_lines scene =
   let forget (o : Object.t) = { o with line = None } in

@@ -33,12 +33,33 @@ val default_ray_depth : int
 val max_ray_depth : int
 (** [max_ray_depth] is 1,000,000: a longer chain would not fit on the stack. *)
 
+(** {1 With one thing changed}
+
+    All else stays as it is in the scene that is given last. What {!make}
+    refuses raises [Invalid_argument]. *)
+
 val with_camera : Camera.t -> t -> t
 (** [with_camera camera scene] is [scene] seen by [camera]. *)
+
+val with_background : Color.t -> t -> t
+(** [with_background color scene] is [scene] before this background. *)
+
+val with_ray_depth : int -> t -> t
+(** [with_ray_depth n scene] is [scene] with at most [n] rays in a chain. *)
+
+val with_lights : Light.t list -> t -> t
+(** [with_lights lights scene] is [scene] with these lights instead of its own.
+*)
+
+val with_objects : Object.t list -> t -> t
+(** [with_objects objects scene] is [scene] with these objects instead of its
+    own. *)
 
 val without_lines : t -> t
 (** [without_lines scene] is [scene], of no file: its lights and objects have
     no lines. *)
+
+(** {1 As a whole} *)
 
 val greyscale : t -> t
 (** [greyscale scene] is [scene] with every colour replaced by the grey of its

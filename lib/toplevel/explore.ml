@@ -29,7 +29,10 @@ plane, diffusive, reflective, luminous and mixed, as in a scene file:
 
 use (Scene.make camera
        ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]
-       ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])|}
+       ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])
+
+Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
+are with_background, with_lights, with_objects and with_camera.|}
 
 let help () =
   List.iter (fun (word, line) -> Format.printf "%-14s%s@." word line) words;

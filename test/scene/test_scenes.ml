@@ -65,10 +65,31 @@ let test_equal () =
        ());
   differs "no lights" (copy ~lights:[] ());
   differs "one object twice" (copy ~objects:[ ball; ball ] ());
-  differs "another camera" (copy ~camera:(camera ~width:2 ()) ());
-  Alcotest.check Same.scene "with_camera"
-    (copy ~camera:(camera ~width:2 ()) ())
-    (Scene.with_camera (camera ~width:2 ()) scene)
+  differs "another camera" (copy ~camera:(camera ~width:2 ()) ())
+
+(* A scene whose every part is another than the default, so that a part that is
+   lost is missed. *)
+let test_with () =
+  let full ?(camera = camera ()) ?(background = rgb 0. 0. 1.) ?(ray_depth = 7)
+      ?(lights = [ bulb ]) ?(objects = [ ball ]) () =
+    Scene.make ~background ~ray_depth ~lights ~objects camera
+  in
+  let check what expected change =
+    Alcotest.check Same.scene what expected (change (full ()))
+  in
+  let wide = camera ~width:2 () in
+  check "camera" (full ~camera:wide ()) (Scene.with_camera wide);
+  check "background"
+    (full ~background:Color.white ())
+    (Scene.with_background Color.white);
+  check "ray depth" (full ~ray_depth:6 ()) (Scene.with_ray_depth 6);
+  check "lights" (full ~lights:[] ()) (Scene.with_lights []);
+  check "objects"
+    (full ~objects:[ ball; ball ] ())
+    (Scene.with_objects [ ball; ball ]);
+  Expect.invalid "background" (fun () ->
+      Scene.with_background (rgb 0. nan 0.) scene);
+  Expect.invalid "ray depth" (fun () -> Scene.with_ray_depth (-1) scene)
 
 let test_pp () =
   let shown = Property.show Scene.pp scene in
@@ -94,5 +115,6 @@ let suite =
       Alcotest.test_case "invalid" `Quick test_invalid;
       Alcotest.test_case "greyscale" `Quick test_greyscale;
       Alcotest.test_case "equal" `Quick test_equal;
+      Alcotest.test_case "with one thing changed" `Quick test_with;
       Alcotest.test_case "pp" `Quick test_pp;
     ] )

@@ -141,16 +141,31 @@ Words
   use (Scene.make camera
          ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]
          ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])
+  
+  Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
+  are with_background, with_lights, with_objects and with_camera.
   $ sed -n 's/^val \([a-z]*\) .*/\1/p' ../../lib/toplevel/explore.mli | sort > words
   $ sed '/^$/,$d; s/ .*//' help | sort | diff - words
   $ awk 'length > 79' help
 
 The scene that it builds is one.
 
-  $ say "$(sed -n '/^use (/,$p' help);; why 320 240"
+  $ say "$(sed -n '/^use (/,/^$/p' help);; why 320 240"
   - : unit = ()
   pixel (320, 240) is rgb 145 0 0: a red sphere (object 1), lit by light 1
   - : unit = ()
+
+A scene with one thing changed keeps all else.
+
+  $ say 'use (Scene.with_ray_depth 6 (scene ()));; scene ()' > changed
+  $ say 'scene ()' | diff - changed
+  0a1
+  > - : unit = ()
+  3c4
+  < background rgb 0 0 0.5, ray depth 4
+  ---
+  > background rgb 0 0 0.5, ray depth 6
+  [1]
 
 Steps go on and back.
 
