@@ -5,13 +5,14 @@ let or_write_error = function
   | Ok () -> ()
   | Error message -> Command.write_error message
 
+let or_refuse = function
+  | Ok value -> value
+  | Error messages -> Command.refuse messages
+
 let join parts out quiet () =
-  let format = Output.format out ~inputs:parts ~named:"one of the bands" in
-  let join =
-    match Join.check parts with
-    | Ok join -> join
-    | Error messages -> Command.refuse messages
-  in
+  let files = or_refuse (Join.files parts) in
+  let format = Output.format out ~inputs:files ~named:"one of the bands" in
+  let join = or_refuse (Join.check files) in
   let { Band.width; height; _ } = Join.whole join in
   or_write_error (Join.check_size format ~width ~height);
   let written =
@@ -26,7 +27,8 @@ let join parts out quiet () =
 let parts =
   let doc =
     "The files of the bands, which $(b,raylab render --rows) wrote, in any \
-     order and format."
+     order and format. A folder stands for all files in it, but for those \
+     whose names start with a dot."
   in
   Arg.(non_empty & pos_all string [] & info [] ~docv:"PART" ~doc)
 

@@ -4,10 +4,33 @@ open Raylab_picture
 type t = { whole : Band.whole; pieces : Band_file.t Cover.piece list }
 
 let whole join = join.whole
+let ( let* ) = Result.bind
+
+(* {1 Folders} *)
+
+(* What is being written has a name that starts with a dot. *)
+let in_folder folder =
+  match Sys.readdir folder with
+  | names ->
+      Array.to_list names
+      |> List.filter (fun name -> name.[0] <> '.')
+      |> List.sort String.compare
+      |> List.map (Filename.concat folder)
+      |> Result.ok
+  | exception Sys_error reason -> Error [ reason ]
+
+let rec files = function
+  | [] -> Ok []
+  | path :: rest ->
+      let* here =
+        if Sys.file_exists path && Sys.is_directory path then in_folder path
+        else Ok [ path ]
+      in
+      let* others = files rest in
+      Ok (here @ others)
 
 (* {1 Checking} *)
 
-let ( let* ) = Result.bind
 let none_or_errors value = function [] -> Ok value | errors -> Error errors
 
 let check_files paths =

@@ -9,6 +9,11 @@ type t
 (** The type for bands that make a picture: all files are whole, they belong
     together, no row is missing, and where they overlap they agree. *)
 
+val files : string list -> (string list, string list) result
+(** [files paths] is [paths] with the files that are in it instead of each
+    folder, but for those whose names start with a dot, or messages that say
+    which folder cannot be read. *)
+
 val check : string list -> (t, string list) result
 (** [check paths] is the picture that the bands in the files [paths] make,
     whatever their order, or messages that name the files, or the rows, that

@@ -76,11 +76,11 @@ let join job =
 raylab=%s
 if [ -n "$RAYLAB" ]; then raylab=$RAYLAB; fi
 
-"$raylab" join bands/{1..%d}.ppm -q -o %s
+"$raylab" join bands -q -o %s
 |}
     (name job)
     (Filename.quote job.raylab)
-    job.bands (Filename.quote job.out)
+    (Filename.quote job.out)
 
 let submit_text job =
   Printf.sprintf
@@ -88,17 +88,35 @@ let submit_text job =
 # Submits the bands that are not there yet, and the job that joins them. Written
 # by raylab slurm; run it again when something has failed.
 cd -- "$(dirname -- "$0")" || exit
+bands=%d
 
-missing=$(for band in {1..%d}; do
-  if [ ! -e "bands/$band.ppm" ]; then echo "$band"; fi
-done | paste -s -d , -)
+# Ranges of missing bands, such as 1-5,8: a command line has room for few names.
+missing='' lowest='' last=0
+for ((band = 1; band <= bands; band++)); do
+  if [ -e "bands/$band.ppm" ]; then continue; fi
+  first=$band
+  while [ "$band" -lt "$bands" ] && [ ! -e "bands/$((band + 1)).ppm" ]; do
+    ((band++))
+  done
+  last=$band lowest=${lowest:-$first}
+  if [ "$first" = "$last" ]; then range=$last; else range=$first-$last; fi
+  missing+=${missing:+,}$range
+done
+# So many gaps that they are too long: a band that is there is left alone.
+if [ ${#missing} -gt 100000 ]; then missing=$lowest-$last; fi
 
 after=()
 if [ -n "$missing" ]; then
+  limit=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
+  if [ -n "$limit" ] && [ "$last" -ge "$limit" ]; then
+    echo "This cluster takes at most $((limit - 1)) bands (its MaxArraySize is" \
+      "$limit), not $bands. Remove $PWD and make the job with fewer." >&2
+    exit 1
+  fi
   job=$(sbatch --parsable --array="$missing" bands.sbatch) || exit
   job=${job%%%%;*} # the name of a cluster may follow
   echo "job $job renders bands $missing"
-  # after failures as well: it says which bands are missing
+  # after failures as well: it says which rows are missing
   after=(--dependency="afterany:$job")
 fi
 job=$(sbatch --parsable "${after[@]}" join.sbatch) || exit

@@ -30,6 +30,24 @@ In any order, from any format to any.
   $ cmp joined whole.bmp
   $ raylab join b.png a.ppm c.bmp -o - | cmp - whole.bmp
 
+A folder is the files in it, but for those that are being written.
+
+  $ mkdir -p bands/empty
+  $ cp a.ppm b.ppm bands
+  $ head -c 20 c.ppm > bands/.raylab-1.part
+  $ raylab join bands c.bmp -q -o joined
+  raylab: bands/empty: Is a directory
+  [1]
+  $ raylab join bands/empty -q -o joined
+  raylab: there are no bands to join
+  [1]
+  $ rmdir bands/empty
+  $ raylab join bands c.bmp -q -o joined
+  $ cmp joined whole.bmp
+  $ raylab join bands c.bmp -q -o bands/b.ppm
+  raylab: bands/b.ppm is one of the bands; the picture would replace it
+  [124]
+
 Bands that overlap are joined if they agree. One that is the whole picture is it.
 
   $ band 10-20 -o d.png
@@ -95,14 +113,13 @@ Files that are damaged, or no bands:
   $ head -c 2000 c.ppm > cut.ppm
   $ { head -c 1000 c.bmp; printf X; tail -c +1002 c.bmp; } > changed.bmp
   $ { head -c 200 c.png; printf X; tail -c +202 c.png; } > changed.png
-  $ join a.ppm cut.ppm changed.bmp changed.png b.ppm whole.bmp mirror.scene missing.ppm .
+  $ join a.ppm cut.ppm changed.bmp changed.png b.ppm whole.bmp mirror.scene missing.ppm
   raylab: cut.ppm: the band is damaged: it has 2000 bytes instead of 4830
   raylab: changed.bmp: the band is damaged: its pixels do not have the checksum of its label
   raylab: changed.png: the band is damaged: not all of its parts are there and right
   raylab: whole.bmp: not a band, or its label is damaged: raylab render --rows writes bands
   raylab: mirror.scene: not a band, or its label is damaged: raylab render --rows writes bands
   raylab: missing.ppm: No such file or directory
-  raylab: .: Is a directory
   [1]
   $ cat old.bmp
   older

@@ -37,7 +37,7 @@ Eight bands and the join
 
   $ slurm () { raylab slurm picture.scene --bands 8 --submit "$@" | sed 's/job [0-9]*/job N/'; }
   $ slurm -o a.bmp
-  job N renders bands 1,2,3,4,5,6,7,8
+  job N renders bands 1-8
   job N joins them
   $ over
   $ cmp a.bmp whole.bmp
@@ -55,7 +55,7 @@ Paths may have any characters.
 
   $ mkdir "it's a \"dir\""
   $ slurm -o "it's a \"dir\"/my \$picture.png" -j 2
-  job N renders bands 1,2,3,4,5,6,7,8
+  job N renders bands 1-8
   job N joins them
   $ over
   $ cmp it*/*.png whole.png
@@ -67,7 +67,7 @@ A band that fails once
 
   $ touch $top/fails-10-15
   $ slurm -o b.ppm
-  job N renders bands 1,2,3,4,5,6,7,8
+  job N renders bands 1-8
   job N joins them
   $ over
   $ cmp b.ppm whole.ppm
@@ -96,7 +96,7 @@ submitted again only that band is rendered.
   > END
   $ chmod +x $top/broken
   $ RAYLAB=$top/broken slurm -o c.bmp
-  job N renders bands 1,2,3,4,5,6,7,8
+  job N renders bands 1-8
   job N joins them
   $ over
   $ ls c.bmp c.slurm/bands
@@ -111,7 +111,7 @@ submitted again only that band is rendered.
   8.ppm
   [2]
   $ cat c.slurm/log/join.txt
-  raylab: bands/3.ppm: No such file or directory
+  raylab: rows 10-15 are missing
   $ rm $top/rendered
   $ slurm -o c.bmp
   job N renders bands 3
@@ -136,7 +136,7 @@ Tasks hang on node 2 when it goes away. Slurm runs them again.
 
   $ touch $top/hangs-n2
   $ slurm -o d.bmp
-  job N renders bands 1,2,3,4,5,6,7,8
+  job N renders bands 1-8
   job N joins them
   $ until_ok test -e $top/hanging
   $ kill -9 $(cat $top/n2.pid)
@@ -144,3 +144,11 @@ Tasks hang on node 2 when it goes away. Slurm runs them again.
   $ over
   $ cmp d.bmp whole.bmp
   $ rendered | grep -q "^2 "
+
+More bands than this Slurm takes
+--------------------------------
+
+  $ raylab slurm picture.scene -o e.ppm --size 3x1500 --bands 1500 --submit
+  This cluster takes at most 1000 bands (its MaxArraySize is 1001), not 1500. Remove $TESTCASE_ROOT/e.slurm and make the job with fewer.
+  raylab: $TESTCASE_ROOT/e.slurm/submit has failed; it may be run again
+  [2]

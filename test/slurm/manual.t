@@ -12,12 +12,12 @@ takes what it is given.
       raylab render poster.scene --rows 240-479 -o b.ppm
       raylab join a.ppm b.ppm -o poster.png
       raylab slurm poster.scene -o poster.ppm --bands 20 --submit
-      raylab join bands/*.ppm -o poster.png
+      raylab join bands -o poster.png
   $ sh -e commands
   raylab: wrote a.ppm
   raylab: wrote b.ppm
   raylab: wrote poster.png
-  job 17 renders bands 1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20
+  job 17 renders bands 1-20
   job 17 joins them
   raylab: wrote poster.png
   $ raylab render poster.scene -q -o whole.png

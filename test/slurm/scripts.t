@@ -19,17 +19,35 @@ What "raylab slurm" writes. ./cluster.t runs it on a real Slurm.
   # Submits the bands that are not there yet, and the job that joins them. Written
   # by raylab slurm; run it again when something has failed.
   cd -- "$(dirname -- "$0")" || exit
+  bands=4
   
-  missing=$(for band in {1..4}; do
-    if [ ! -e "bands/$band.ppm" ]; then echo "$band"; fi
-  done | paste -s -d , -)
+  # Ranges of missing bands, such as 1-5,8: a command line has room for few names.
+  missing='' lowest='' last=0
+  for ((band = 1; band <= bands; band++)); do
+    if [ -e "bands/$band.ppm" ]; then continue; fi
+    first=$band
+    while [ "$band" -lt "$bands" ] && [ ! -e "bands/$((band + 1)).ppm" ]; do
+      ((band++))
+    done
+    last=$band lowest=${lowest:-$first}
+    if [ "$first" = "$last" ]; then range=$last; else range=$first-$last; fi
+    missing+=${missing:+,}$range
+  done
+  # So many gaps that they are too long: a band that is there is left alone.
+  if [ ${#missing} -gt 100000 ]; then missing=$lowest-$last; fi
   
   after=()
   if [ -n "$missing" ]; then
+    limit=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
+    if [ -n "$limit" ] && [ "$last" -ge "$limit" ]; then
+      echo "This cluster takes at most $((limit - 1)) bands (its MaxArraySize is" \
+        "$limit), not $bands. Remove $PWD and make the job with fewer." >&2
+      exit 1
+    fi
     job=$(sbatch --parsable --array="$missing" bands.sbatch) || exit
     job=${job%%;*} # the name of a cluster may follow
     echo "job $job renders bands $missing"
-    # after failures as well: it says which bands are missing
+    # after failures as well: it says which rows are missing
     after=(--dependency="afterany:$job")
   fi
   job=$(sbatch --parsable "${after[@]}" join.sbatch) || exit
@@ -46,7 +64,7 @@ What "raylab slurm" writes. ./cluster.t runs it on a real Slurm.
   raylab=...
   if [ -n "$RAYLAB" ]; then raylab=$RAYLAB; fi
   
-  "$raylab" join bands/{1..4}.ppm -q -o '$TESTCASE_ROOT/sky.png'
+  "$raylab" join bands -q -o '$TESTCASE_ROOT/sky.png'
   $ show sky.slurm/bands.sbatch
   #!/bin/bash
   # Renders the bands of a picture, one a task. Written by raylab slurm; edit it
@@ -170,14 +188,51 @@ Here sbatch only says what it is asked for.
   sbatch --parsable --dependency=afterany:17 join.sbatch
   job 17 joins them
   $ raylab slurm sky.scene -o new.bmp --bands 10 --submit
-  sbatch --parsable --array=1,2,3,4,5,6,7,8,9,10 bands.sbatch
-  job 17 renders bands 1,2,3,4,5,6,7,8,9,10
+  sbatch --parsable --array=1-10 bands.sbatch
+  job 17 renders bands 1-10
   sbatch --parsable --dependency=afterany:17 join.sbatch
   job 17 joins them
   $ STATUS=1 raylab slurm sky.scene -o new.bmp --bands 10 --submit
-  sbatch --parsable --array=1,2,3,4,5,6,7,8,9,10 bands.sbatch
+  sbatch --parsable --array=1-10 bands.sbatch
   raylab: $TESTCASE_ROOT/new.slurm/submit has failed; it may be run again
   [2]
+
+What is missing is named in ranges, however many bands there are.
+
+  $ raylab slurm sky.scene -o many.bmp --bands 60000 --size 1x60000 --submit
+  sbatch --parsable --array=1-60000 bands.sbatch
+  job 17 renders bands 1-60000
+  sbatch --parsable --dependency=afterany:17 join.sbatch
+  job 17 joins them
+  $ have () { printf "many.slurm/bands/%s.ppm\n" "$@" | xargs touch; }
+  $ have 1 4 5 6 9 60000
+  $ many.slurm/submit
+  sbatch --parsable --array=2-3,7-8,10-59999 bands.sbatch
+  job 17 renders bands 2-3,7-8,10-59999
+  sbatch --parsable --dependency=afterany:17 join.sbatch
+  job 17 joins them
+  $ have $(seq 10 2 59999)
+  $ many.slurm/submit
+  sbatch --parsable --array=2-59999 bands.sbatch
+  job 17 renders bands 2-59999
+  sbatch --parsable --dependency=afterany:17 join.sbatch
+  job 17 joins them
+
+A cluster may take fewer.
+
+  $ echo 'echo "MaxArraySize            = 60000"' > tools/scontrol
+  $ chmod +x tools/scontrol
+  $ many.slurm/submit
+  sbatch --parsable --array=2-59999 bands.sbatch
+  job 17 renders bands 2-59999
+  sbatch --parsable --dependency=afterany:17 join.sbatch
+  job 17 joins them
+  $ touch many.slurm/bands/59999.ppm
+  $ rm many.slurm/bands/60000.ppm
+  $ many.slurm/submit
+  This cluster takes at most 59999 bands (its MaxArraySize is 60000), not 60000. Remove $TESTCASE_ROOT/many.slurm and make the job with fewer.
+  [1]
+  $ rm tools/scontrol
 
 Where there is none:
 
@@ -233,5 +288,6 @@ Wrong
   expected the width of the picture in pixels after imWidth, such as 640.
   [1]
   $ ls -d *.slurm
+  many.slurm
   new.slurm
   sky.slurm
