@@ -76,5 +76,5 @@ let cmd =
     ]
   in
   Cmd.v
-    (Cmd.info "repl" ~doc:"explore a scene at OCaml's prompt" ~man ~exits)
+    (Command.info "repl" ~doc:"explore a scene at OCaml's prompt" ~exits man)
     (Command.run Term.(const repl $ scene $ script))

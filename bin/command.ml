@@ -78,4 +78,20 @@ let run action =
   in
   Term.(const run $ action)
 
-let info name ~doc man = Cmd.info name ~doc ~man ~exits:Exit_code.infos
+let is_description : Manpage.block -> bool = function
+  | `S section -> section = Manpage.s_description
+  | `P _ -> true
+  | _ -> false
+
+(* Cmdliner keeps sections in the order in which it gets them. *)
+let rec with_common_options = function
+  | block :: rest when is_description block ->
+      block :: with_common_options rest
+  | rest ->
+      `S Manpage.s_common_options
+      :: `I ("$(b,-h)", "Show this help, as $(b,--help) does.")
+      :: rest
+
+let info ?version ?(exits = Exit_code.infos) name ~doc man =
+  let man_xrefs = [ `Main; `Page Guide.manual ] in
+  Cmd.info name ?version ~doc ~man:(with_common_options man) ~man_xrefs ~exits

@@ -61,5 +61,11 @@ val run : (unit -> unit) Cmdliner.Term.t -> int Cmdliner.Term.t
     one line. *)
 
 val info :
-  string -> doc:string -> Cmdliner.Manpage.block list -> Cmdliner.Cmd.info
-(** [info name ~doc man] is what the manual says about sub-command [name]. *)
+  ?version:string ->
+  ?exits:Cmdliner.Cmd.Exit.info list ->
+  string ->
+  doc:string ->
+  Cmdliner.Manpage.block list ->
+  Cmdliner.Cmd.info
+(** [info name ~doc man] is what the manual says about the program, or its
+    sub-command, [name]. Its exit codes are {!Exit_code.infos}, or [exits]. *)

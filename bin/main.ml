@@ -9,6 +9,7 @@ let commands render =
     Cmd_repl.cmd;
     Cmd_join.cmd;
     Cmd_slurm.cmd;
+    Cmd_help.cmd;
   ]
 
 let man =
@@ -22,11 +23,12 @@ let man =
        $(i,SCENE), saves the picture beside it, under its name with \
        $(b,.bmp), and shows it in a window if there is a display.";
   ]
+  @ Guide.blocks
 
 let program render =
   Cmd.group ~default:Cmd_render.default
-    (Cmd.info "raylab" ~version:Version.number
-       ~doc:"a ray tracer that can explain itself" ~man ~exits:Exit_code.infos)
+    (Command.info "raylab" ~version:Version.number
+       ~doc:"a ray tracer that can explain itself" man)
     (commands render)
 
 (* Cmdliner takes a first argument without dash for the name of a command. It is
@@ -41,11 +43,11 @@ let is_scene argument =
      || String.exists (fun c -> c = '.' || c = '/' || c = '-') argument)
 
 let program, argv =
-  match Array.to_list Sys.argv with
+  match Cmd_help.with_long_options (Array.to_list Sys.argv) with
   | name :: first :: rest when is_scene first ->
       let render = Cmd_render.default_cmd in
       (program render, Array.of_list (name :: Cmd.name render :: first :: rest))
-  | _ -> (program Cmd_render.cmd, Sys.argv)
+  | arguments -> (program Cmd_render.cmd, Array.of_list arguments)
 
 let remove_temporary_files () =
   let remove path = try Sys.remove path with Sys_error _ -> () in

@@ -25,7 +25,7 @@ Commands: none, unknown, misspelt, too many scenes.
   raylab: unknown command 'chek', did you mean 'check'?
   [124]
   $ usage no_such_command_or_file
-  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'join', 'render', 'repl', 'slurm' or 'view'.
+  raylab: unknown command 'no_such_command_or_file', must be one of 'check', 'explain', 'help', 'join', 'render', 'repl', 'slurm' or 'view'.
   [124]
   $ usage render
   raylab: required argument SCENE is missing
@@ -192,12 +192,21 @@ Help and version go to standard output. A version is no place-holder.
          picture beside it, under its name with .bmp, and shows it in a window
          if there is a display.
   
+         The language of scenes has a manual, raylab-scene(5). The folder
+         doc/raylab of what raylab is installed in, such as
+         ~/.local/doc/raylab, holds it with pictures, doc/language.md, a
+         gallery of scenes, scenes, and a lesson at the prompt,
+         scenes/why-black.md.
+  
   COMMANDS
          check [OPTION]… SCENE…
              report the errors and warnings of scenes
   
          explain [OPTION]… SCENE X,Y…
              say why pixels have their colours
+  
+         help [OPTION]… [COMMAND]
+             show the manual of a command
   
          join [--output=OUT] [--quiet] [OPTION]… PART…
              put bands of a picture together
@@ -255,6 +264,8 @@ Help and version go to standard output. A version is no place-holder.
              error.
   
   COMMON OPTIONS
+         -h  Show this help, as --help does.
+  
          --help[=FMT] (default=auto)
              Show this help in format FMT. The value FMT must be one of auto,
              pager, groff or plain. With auto, the format is pager or plain
@@ -285,6 +296,9 @@ Help and version go to standard output. A version is no place-holder.
              written.
   
          143 if ended by a signal; a picture that is not whole is not written.
+  
+  SEE ALSO
+         raylab-scene(5)
   
   $ raylab render --help=plain
   NAME
@@ -341,6 +355,8 @@ Help and version go to standard output. A version is no place-holder.
              error.
   
   COMMON OPTIONS
+         -h  Show this help, as --help does.
+  
          --help[=FMT] (default=auto)
              Show this help in format FMT. The value FMT must be one of auto,
              pager, groff or plain. With auto, the format is pager or plain
@@ -373,7 +389,7 @@ Help and version go to standard output. A version is no place-holder.
          143 if ended by a signal; a picture that is not whole is not written.
   
   SEE ALSO
-         raylab(1)
+         raylab(1), raylab-scene(5)
   
   $ raylab check --help=plain
   NAME
@@ -391,6 +407,8 @@ Help and version go to standard output. A version is no place-holder.
              The scene files, or - for standard input.
   
   COMMON OPTIONS
+         -h  Show this help, as --help does.
+  
          --help[=FMT] (default=auto)
              Show this help in format FMT. The value FMT must be one of auto,
              pager, groff or plain. With auto, the format is pager or plain
@@ -423,5 +441,21 @@ Help and version go to standard output. A version is no place-holder.
          143 if ended by a signal; a picture that is not whole is not written.
   
   SEE ALSO
-         raylab(1)
+         raylab(1), raylab-scene(5)
   
+
+There are other ways to ask for it.
+
+  $ export TERM=dumb
+  $ same () { raylab "$@" > out; raylab help $command | cmp - out; }
+  $ command= ; same --help; same -h; same help
+  $ for command in check explain help join render repl slurm view; do
+  >   same $command --help; same $command -h; same help $command
+  > done
+  $ command=render; same a.scene -h; same render -q -h a.scene
+  $ raylab check -- -h
+  -h: error: No such file or directory
+  [1]
+  $ usage help rander
+  raylab: there is no command 'rander'; raylab help lists them
+  [124]
