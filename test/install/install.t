@@ -12,6 +12,7 @@ What is installed is whole, and works where it is put: here, in prefix/.
   raylab
   raylab-utop
   $ export PATH=$PWD/prefix/bin:$PATH OCAMLPATH=$PWD/prefix/lib
+  $ console=$PWD/../manual/console.exe
   $ cp ../../scenes/first.scene .
 
 The manual has a page for every command, and for no other.
@@ -20,6 +21,29 @@ The manual has a page for every command, and for no other.
   >   sed -n 's/^ \{7\}\([a-z]\+\) .*/raylab-\1.1/p' > pages
   $ echo raylab.1 >> pages
   $ ls prefix/man/man1 | diff - pages
+
+The program says where the language is told: in a page of the manual that every
+other one names, and in a folder, with pictures, the gallery and the lesson.
+
+  $ ls prefix/man/man5
+  raylab-scene.5
+  $ grep -L 'scene.*(5)' prefix/man/man1/*
+  $ TERM=dumb raylab help | tr -s ' \n' ' ' |
+  >   grep -o 'The language of scenes.*why-black.md'
+  The language of scenes has a manual, raylab-scene(5). $TESTCASE_ROOT/prefix/doc/raylab holds it with pictures, doc/language.md, a gallery of scenes, scenes, and a lesson at the prompt, scenes/why-black.md
+  $ ls ../../scenes > gallery
+  $ ls prefix/doc/raylab/scenes | diff gallery -
+
+All that is there works from there: links, scenes, and the commands of the page.
+
+  $ cd prefix/doc/raylab
+  $ find . -name '*.md' | while read -r page; do
+  >   { grep -o '](\([^)]*\))' "$page" | tr -d ']()'; sed -n 's/^\[.*\]: //p' "$page"; } |
+  >     sed 's/#.*//; /^$/d' | (cd "${page%/*}" && xargs -r ls -d) > /dev/null
+  > done
+  $ raylab check scenes/*.scene
+  $ "$console" doc/language.md doc/language | diff doc/language.md -
+  $ cd "$OLDPWD"
 
 The version is the same everywhere, and CHANGES.md knows it, unless it is not
 released yet.
