@@ -6,37 +6,56 @@ open Raylab_explanation
 
 let vec3 = Vec3.pp
 let direction = Direction.pp
-let ray = Ray.pp
-let shape = Shape.pp
-let sphere = Sphere.pp
-let plane = Plane.pp
+let ray = Broken.at_words Ray.pp
+let shape = Broken.at_words Shape.pp
+let sphere = Broken.at_words Sphere.pp
+let plane = Broken.at_words Plane.pp
 
 let color ppf c =
   Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp_with (Tell.swatches ())) c
 
-let surface = Surface.pp
+let surface = Broken.at_words Surface.pp
 
 let meaning ppf { Surface.emission; albedo; mirror } =
-  Format.fprintf ppf "emission %a, albedo %a, mirror %a" color emission color
-    albedo Number.pp mirror
+  Format.fprintf ppf "@[<hov 2>emission %a,@ albedo %a,@ mirror %a@]" color
+    emission color albedo Number.pp mirror
 
-let light = Light.pp
+let light = Broken.at_words Light.pp
 
 let incidence ppf { Light.towards; cosine; falloff } =
-  Format.fprintf ppf "towards %a, cosine %a, fall-off %a" direction towards
-    Number.pp cosine Number.pp falloff
+  Format.fprintf ppf "@[<hov 2>towards %a,@ cosine %a,@ fall-off %a@]"
+    direction towards Number.pp cosine Number.pp falloff
 
-let object_ = Object.pp
+let object_ = Broken.at_words Object.pp
 
 let camera ppf (c : Camera.t) =
-  Format.fprintf ppf "%d x %d pixels through a canvas of %a x %a from %a"
-    c.width c.height Number.pp c.canvas_width Number.pp c.canvas_height vec3
+  Format.fprintf ppf
+    "@[<hov 2>%d x %d pixels@ through a canvas@ of %a x %a@ from %a@]" c.width
+    c.height Number.pp c.canvas_width Number.pp c.canvas_height vec3
     (Camera.eye c)
 
-let scene = Scene.pp
-let scene_error = Scene_error.pp
-let hit ppf (h : Hit.t) = Format.fprintf ppf "object %d, %a" h.number Hit.pp h
-let event = Event.pp
+let scene = Broken.at_words Scene.pp
+
+(* The excerpt has its marks below what they mark. *)
+let scene_error ppf (e : Scene_error.t) =
+  let without = { e with excerpt = ""; advice = "" } in
+  let text ppf = Format.fprintf ppf "@[<hov>%a@]" Format.pp_print_text
+  and verbatim ppf text =
+    Format.pp_print_list Format.pp_print_string ppf
+      (String.split_on_char '\n' text)
+  in
+  let further pp part = if part <> "" then Format.fprintf ppf "@,%a" pp part in
+  Format.fprintf ppf "@[<v>%a" text
+    (Format.asprintf "%a" Scene_error.pp without);
+  further verbatim e.excerpt;
+  further text e.advice;
+  Format.fprintf ppf "@]"
+
+let hit ppf (h : Hit.t) =
+  let pp ppf h = Format.fprintf ppf "object %d, %a" h.Hit.number Hit.pp h in
+  Broken.at_words pp ppf h
+
+let event = Broken.at_words Event.pp
 
 let events ppf events =
   let n = Seq.length events in
@@ -44,18 +63,21 @@ let events ppf events =
 
 let trace ppf t = scene ppf (Trace.scene t)
 
-let verdict ppf : Explain.verdict -> unit = function
+let verdict_in_box ppf : Explain.verdict -> unit = function
   | Faces_away { cosine } ->
-      Format.fprintf ppf "faces away, cosine %a" Number.pp cosine
+      Format.fprintf ppf "faces away,@ cosine %a" Number.pp cosine
   | Blocked { by; t; point; _ } ->
-      Format.fprintf ppf "blocked by object %d, t = %a at %a" by Number.pp t
+      Format.fprintf ppf "blocked by object %d,@ t = %a@ at %a" by Number.pp t
         vec3 point
   | Lit { cosine; falloff; contribution; _ } ->
-      Format.fprintf ppf "lit, cosine %a, fall-off %a, gives %a" Number.pp
+      Format.fprintf ppf "lit,@ cosine %a,@ fall-off %a,@ gives %a" Number.pp
         cosine Number.pp falloff color contribution
 
+let verdict ppf = Format.fprintf ppf "@[<hov 2>%a@]" verdict_in_box
+
 let explain_light ppf (l : Explain.light) =
-  Format.fprintf ppf "light %d: %a" l.number verdict l.verdict
+  Format.fprintf ppf "@[<hov 2>light %d:@ %a@]" l.number verdict_in_box
+    l.verdict
 
 let explain ppf e = Report.pp_with ~swatches:(Tell.swatches ()) ppf e
 
@@ -63,8 +85,8 @@ let surface_hit ppf (h : Explain.surface_hit) =
   Format.fprintf ppf "@[<v>%a@,%a@,%a" hit h.hit object_ h.object_ meaning
     h.meaning;
   List.iter (Format.fprintf ppf "@,%a" explain_light) h.lights;
-  Format.fprintf ppf "@,emitted %a + diffused %a + mirrored %a@]" color
-    h.emitted color h.diffused color h.mirrored
+  Format.fprintf ppf "@,@[<hov 2>emitted %a@ + diffused %a@ + mirrored %a@]@]"
+    color h.emitted color h.diffused color h.mirrored
 
 let outcome ppf : Explain.outcome -> unit = function
   | Chain_ended -> Format.pp_print_string ppf "the chain ended: the background"
@@ -77,5 +99,6 @@ let picture ppf p =
 
 let tally ppf { Tally.primary; reflected; shadow; hits; blocked } =
   Format.fprintf ppf
-    "%d primary, %d reflected and %d shadow rays, %d hits, %d lights blocked"
+    "@[<hov 2>%d primary,@ %d reflected@ and %d shadow rays,@ %d hits,@ %d \
+     lights blocked@]"
     primary reflected shadow hits blocked

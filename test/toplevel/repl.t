@@ -83,7 +83,8 @@ So do all others.
    broken.scene:1:26-31: error: unknown surface 'difuse'
        1 | imWidth 5 sphere 0 0 2 1 difuse white
          |                          ^^^^^^
-   expected a surface: diffusive, reflective, luminous or mixed. Did you mean 'diffusive'?
+   expected a surface: diffusive, reflective, luminous or mixed. Did you mean
+   'diffusive'?
 
 A pixel is explained as "raylab explain" does it, by the rendering itself.
 
@@ -188,7 +189,8 @@ Steps go on and back.
   - : Event.t =
   nearest hit: object 2, t = 27.5739 at (-9.6, 9.6, 20), normal (0, 0, -1)
   - : Event.t =
-  mix: emitted rgb 1 0.5 0 + diffused rgb 0 0 0 + mirrored rgb 0 0 0 = rgb 1 0.5 0
+  mix: emitted rgb 1 0.5 0 + diffused rgb 0 0 0 + mirrored rgb 0 0 0
+    = rgb 1 0.5 0
   - : Event.t = done: rgb 1 0.5 0
   Exception: Invalid_argument "that was the last step; back () goes back".
   $ say 'steps (primary 0 0);; use empty;; next ()'

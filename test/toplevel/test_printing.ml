@@ -1,3 +1,8 @@
+open Raylab_scene
+open Raylab_tracer
+open Raylab_toplevel
+open Test_support
+
 (* Whatever is called pp serves Format's %a: options belong to a pp_with. *)
 
 let interfaces () =
@@ -50,4 +55,71 @@ let test_types () =
           true (takes_one_value type_))
     printers
 
-let suite = ("Printing", [ Alcotest.test_case "types" `Quick test_types ])
+(* {1 Lines} *)
+
+let lines = String.split_on_char '\n'
+
+let print ~margin pp value =
+  let buffer = Buffer.create 80 in
+  let ppf = Format.formatter_of_buffer buffer in
+  Format.pp_set_margin ppf margin;
+  Format.fprintf ppf "%a@?" pp value;
+  Buffer.contents buffer
+
+let test_places () =
+  let check expected =
+    let text = String.concat " " expected in
+    Alcotest.(check (list string))
+      text expected
+      (lines (print ~margin:30 (Broken.at_words Format.pp_print_string) text)
+      |> List.map String.trim)
+  in
+  check [ "short enough" ];
+  check [ "sphere centre (1.25, 2.5, 3)"; "radius 0.123457" ];
+  check [ "mixed 0.333333"; "diffusive 0.4 0.12345 0.2 0.5"; "reflective" ];
+  check [ "(0.1, 0.2, 0.34567)"; "+ t (0.12345, 0.67890, 0)" ];
+  check [ "emitted rgb 1 0.123456 0"; "+ diffused rgb 0 0 0"; "= rgb 1 0 0" ]
+
+(* As the prompt does, below the value's name. Words stay as they are. *)
+let is_broken_well pp value =
+  let below ppf = Format.fprintf ppf "@[<2>val value : Module.t =@ %a@]" pp in
+  let shown = print ~margin:80 below value in
+  List.for_all (fun line -> String.length line <= 80) (lines shown)
+  && words shown = words (print ~margin:100_000 below value)
+
+let explained (e : Explain.t) =
+  is_broken_well Printers.explain e
+  && is_broken_well Printers.outcome e.outcome
+  &&
+  match e.outcome with
+  | Hit h ->
+      is_broken_well Printers.hit h.hit
+      && is_broken_well Printers.meaning h.meaning
+      && List.for_all (is_broken_well Printers.explain_light) h.lights
+  | Missed | Chain_ended -> true
+
+let ray_told trace ray =
+  is_broken_well Printers.ray ray
+  && Seq.for_all (is_broken_well Printers.event) (Explain.steps trace ray)
+  && explained (Explain.ray trace ray)
+
+let all_told (scene : Scene.t) =
+  is_broken_well Printers.scene scene
+  && is_broken_well Printers.camera scene.camera
+  && List.for_all (is_broken_well Printers.light) scene.lights
+  && List.for_all (is_broken_well Printers.object_) scene.objects
+  && Seq.for_all (ray_told (Trace.prepare scene)) (Trace.primary_rays scene)
+
+let narrow name number =
+  Property.holds name ~count:100 ~print:(Property.show Scene.pp)
+    (Generate.scene ~max_side:4 number)
+    all_told
+
+let suite =
+  ( "Printing",
+    [
+      Alcotest.test_case "types" `Quick test_types;
+      Alcotest.test_case "where lines break" `Quick test_places;
+      narrow "no value is wider than a terminal" Generate.everyday;
+      narrow "nor with numbers of any size" Generate.extreme;
+    ] )
