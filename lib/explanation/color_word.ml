@@ -8,9 +8,8 @@ let grey v =
   else if v > 0.3 then "grey"
   else "dark grey"
 
-(* In degrees, for channels of which the largest is [v], and the smallest [d]
-   less than that. *)
-let hue { Color.r; g; b } v d =
+(* For channels of which the largest is [v], and the smallest [d] less. *)
+let degrees { Color.r; g; b } v d =
   let sixth =
     if v = r then (g -. b) /. d
     else if v = g then 2. +. ((b -. r) /. d)
@@ -32,9 +31,11 @@ let hues =
   ]
 
 let of_hue h = snd (List.find (fun (from, _) -> h >= from) hues)
-let dark = function "orange" -> "brown" | word -> "dark " ^ word
+let is_brown h = h >= 15. && h < 50.
+let dark h = if is_brown h then "brown" else "dark " ^ of_hue h
 
-let light = function
+let light h =
+  match of_hue h with
   | "orange" -> "beige"
   | "red" -> "pink"
   | word -> "light " ^ word
@@ -42,15 +43,24 @@ let light = function
 let largest { Color.r; g; b } = Float.max r (Float.max g b)
 let is_black c = largest c < 0.08
 
-let of_color { Color.r; g; b } =
+(* As a picture shows [c]: its hue, if it has one, its largest channel, and how
+   much less the smallest is. *)
+let measure { Color.r; g; b } =
   let c = { Color.r = clamp r; g = clamp g; b = clamp b } in
   let v = largest c in
   let d = v -. Float.min c.r (Float.min c.g c.b) in
-  if is_black c then "black"
-  else if d < 0.15 *. v then grey v
-  else
-    let word = of_hue (hue c v d) in
-    if v <= 0.5 then dark word else if d < 0.5 *. v then light word else word
+  let has_hue = not (is_black c || d < 0.15 *. v) in
+  ((if has_hue then Some (degrees c v d) else None), v, d)
+
+let hue c =
+  let h, _, _ = measure c in
+  h
+
+let of_color c =
+  match measure c with
+  | None, v, _ -> if is_black c then "black" else grey v
+  | Some h, v, d ->
+      if v <= 0.5 then dark h else if d < 0.5 *. v then light h else of_hue h
 
 let of_glow c =
   if (not (is_black c)) || Color.equal c Color.black then (false, of_color c)

@@ -13,8 +13,12 @@ val of_color : Color.t -> string
     - else, by hue, [red], [orange] from 15, [yellow] from 42, [green] from 70,
       [cyan] from 165, [blue] from 195, [purple] from 255, [magenta] from 290
       and [red] again from 345, with [dark] before it if [v <= 0.5], or [light]
-      if [d < 0.5 v]. Dark orange is [brown], light orange [beige], light red
-      [pink]. *)
+      if [d < 0.5 v]. Dark orange is [brown], and so is dark yellow up to 50;
+      light orange is [beige], light red [pink]. *)
+
+val hue : Color.t -> float option
+(** [hue c] is the hue that {!of_color} goes by, from 0 to 360; [None] for what
+    it calls black, white or grey. *)
 
 val of_glow : Color.t -> bool * string
 (** [of_glow c] is the word for what emits [c], and whether it does so faintly:

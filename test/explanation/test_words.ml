@@ -47,6 +47,8 @@ let test_colors () =
       (1., 0.6, 0.6, "pink");
       (0.95, 0.4, 0.08, "orange");
       (0.4, 0.2, 0.1, "brown");
+      (0.4, 0.32, 0.12, "brown");
+      (0.9, 0.72, 0.27, "yellow");
       (0.9, 0.75, 0.55, "beige");
       (1., 1., 0., "yellow");
       (0.5, 0.5, 0., "dark yellow");
@@ -59,6 +61,15 @@ let test_colors () =
       (1., 0., 1., "magenta");
       (1., 0., 0.2, "red");
     ]
+
+let test_hue () =
+  let check what expected color =
+    Alcotest.(check (option (float 1e-9))) what expected (Color_word.hue color)
+  in
+  check "red" (Some 0.) (rgb 3. 0. 0.);
+  check "magenta" (Some 300.) Color.magenta;
+  check "grey" None (rgb 0.5 0.55 0.5);
+  check "black" None (rgb 0.07 0. 0.)
 
 (* The eight names of the scene language are their own words. *)
 let test_names () =
@@ -132,6 +143,7 @@ let suite =
       Alcotest.test_case "lists" `Quick test_lists;
       Alcotest.test_case "articles" `Quick test_articles;
       Alcotest.test_case "colours" `Quick test_colors;
+      Alcotest.test_case "hues" `Quick test_hue;
       Alcotest.test_case "the language's colours" `Quick test_names;
       any_color;
       Alcotest.test_case "glow" `Quick test_glow;
