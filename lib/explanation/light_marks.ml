@@ -10,11 +10,10 @@ let style =
 
 let rays = Printf.sprintf {|stroke="%s" stroke-width="1.5"|} ink
 
-let label view (x, y) words =
-  let place = View.inside view (x, y +. 4.) in
-  Svg.text ~anchor:"middle" ~color:ink place words
+let label (x, y) words =
+  Drawn.label (Label.make ~anchor:"middle" ~color:ink [ (x, y +. 4.) ] words)
 
-let label_above view (x, y) words = label view (x, y -. 18.) words
+let label_above (x, y) words = label (x, y -. 18.) words
 
 let sun ((x, y) as centre) =
   let ray k =
@@ -22,7 +21,9 @@ let sun ((x, y) as centre) =
     let at r = (x +. (r *. cos angle), y +. (r *. sin angle)) in
     Svg.line ~style:rays (at 6.5) (at 10.)
   in
-  Svg.circle ~style centre 5. :: List.init 8 ray
+  Drawn.mark
+    (Rectangle.around centre 10.)
+    (Svg.circle ~style centre 5. :: List.init 8 ray)
 
 (* The middle of the panel, and the panel without its edges. *)
 let middle { View.left; top; width; height; _ } =
@@ -40,11 +41,12 @@ let towards_edge (view : View.t) (dx, dy) =
 
 let point_light view name position =
   let ((x, y) as place) = View.point view position in
-  if View.contains view place then sun place @ [ label_above view place name ]
+  if View.contains view place then
+    Drawn.all [ sun place; label_above place name ]
   else
     let mx, my = middle view in
     let edge = towards_edge view (x -. mx, y -. my) in
-    sun edge @ [ label_above view edge (name ^ ", farther away") ]
+    Drawn.all [ sun edge; label_above edge (name ^ ", farther away") ]
 
 let directional view name (along : Direction.t) =
   let d = (along :> Vec3.t) in
@@ -52,7 +54,7 @@ let directional view name (along : Direction.t) =
   let length = Float.hypot dx dy in
   if length < 1e-6 then
     let x, y = (view.left +. inset, view.top +. inset) in
-    [ label view (x +. 50., y +. inset) (name ^ ", along this view") ]
+    label (x +. 50., y +. inset) (name ^ ", along this view")
   else
     let ux = dx /. length and uy = dy /. length in
     let ((x, y) as tail) = towards_edge view (-.ux, -.uy) in
@@ -60,11 +62,16 @@ let directional view name (along : Direction.t) =
       (x +. (along *. ux) -. (aside *. uy), y +. (along *. uy) +. (aside *. ux))
     in
     let thick = Printf.sprintf {|stroke="%s" stroke-width="3"|} ink in
-    [
-      Svg.line ~style:thick tail (at 24. 0.);
-      Svg.polygon ~style [ at 34. 0.; at 22. 6.; at 22. (-6.) ];
-      label view (at (-12.) 0.) name;
-    ]
+    Drawn.all
+      [
+        Drawn.mark
+          (Rectangle.around (at 17. 0.) 12.)
+          [
+            Svg.line ~style:thick tail (at 24. 0.);
+            Svg.polygon ~style [ at 34. 0.; at 22. 6.; at 22. (-6.) ];
+          ];
+        label (at (-12.) 0.) name;
+      ]
 
 let draw view ~shown lights =
   let mark i (light : Light.t) =
@@ -73,6 +80,7 @@ let draw view ~shown lights =
     match light.source with
     | Spherical position -> point_light view name position
     | Directional along ->
-        if List.mem number shown then [] else directional view name along
+        if List.mem number shown then Drawn.all []
+        else directional view name along
   in
-  List.concat (List.mapi mark (List.filteri (fun i _ -> i < most) lights))
+  Drawn.all (List.mapi mark (List.filteri (fun i _ -> i < most) lights))

@@ -2,7 +2,7 @@
 
 open Raylab_scene
 
-val draw : View.t -> shown:int list -> Light.t list -> Svg.t list
+val draw : View.t -> shown:int list -> Light.t list -> Drawn.t
 (** [draw view ~shown lights] is a mark for each spherical light, at the edge
     of the panel if the light is farther away, and an arrow at the edge for
     each directional one, that points as it shines, except for those whose

@@ -44,32 +44,45 @@ let scale_bar (view : View.t) =
   let length = round_length (0.25 *. view.width /. view.scale) in
   let y = view.top +. view.height -. 10. and x = view.left +. 10. in
   let right = x +. (length *. view.scale) in
-  [
-    Svg.line ~style:{|stroke="#444" stroke-width="2"|} (x, y) (right, y);
-    Svg.text ~size:11. (right +. 5., y +. 4.) (Words.number length);
-  ]
+  Drawn.all
+    [
+      Drawn.mark
+        { Rectangle.left = x; right; top = y -. 4.; bottom = y +. 4. }
+        [
+          Svg.line ~style:{|stroke="#444" stroke-width="2"|} (x, y) (right, y);
+        ];
+      Drawn.label
+        (Label.make ~size:11. ~reach:0.
+           [ (right +. 5., y +. 4.) ]
+           (Words.number length));
+    ]
 
 let draw_panel ~name words (scene : Scene.t) e (view : View.t) =
   let corner = (view.left, view.top) in
   let { View.width; height; _ } = view in
-  let scenery = Scenery.draw view scene e in
+  let scenery, numbers = Scenery.draw view scene e in
   let shown = Route.directional_lights e in
+  let drawn =
+    Drawn.all
+      [
+        scale_bar view;
+        scenery;
+        Route.draw view e;
+        Light_marks.draw view ~shown scene.lights;
+        numbers;
+      ]
+  in
   [
     Svg.text ~size:13. (view.left, view.top -. 7.) words;
     Svg.clip_box ~name corner ~width ~height;
     Svg.box ~style:{|fill="#fafafa" stroke="#bbb"|} corner ~width ~height;
-    Svg.group ~clip:name
-      (scenery.shapes @ Route.draw view e
-      @ Light_marks.draw view ~shown scene.lights
-      @ scenery.labels @ scale_bar view);
+    Svg.group ~clip:name (Drawn.draw view drawn);
   ]
 
 let to_svg ?pixel scene e =
   let above, beside = panels (Frame.fit scene e) in
   let width =
-    Float.max
-      (beside.left +. beside.width +. gap)
-      (Route.legend_width +. (2. *. gap))
+    Float.max (beside.left +. beside.width +. gap) (Legend.width +. (2. *. gap))
   in
   let sentence = Summary.to_string ?pixel e in
   let lines = wrap (width -. (2. *. gap)) sentence in
@@ -89,4 +102,4 @@ let to_svg ?pixel scene e =
     (List.mapi sentence_line lines
     @ panel "above" "from above: x to the right, z up" above
     @ panel "beside" "from the side: z to the right, y up" beside
-    @ Route.legend (gap, bottom +. (1.4 *. gap)))
+    @ Legend.draw (gap, bottom +. (1.4 *. gap)))

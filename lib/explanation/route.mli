@@ -2,7 +2,7 @@
 
 open Raylab_tracer
 
-val draw : View.t -> Explain.t -> Svg.t list
+val draw : View.t -> Explain.t -> Drawn.t
 (** [draw view e] is the rays of [e], numbered along the chain, and a dot at
     each hit in the colour that came of it. A ray that leaves the panel says
     where it goes. Shadow rays are dashed; a blocked one ends in a cross. At
@@ -11,9 +11,3 @@ val draw : View.t -> Explain.t -> Svg.t list
 val directional_lights : Explain.t -> int list
 (** [directional_lights e] is the numbers of the directional lights that
     {!draw} shows, by an arrow where the light comes in. *)
-
-val legend : Svg.point -> Svg.t list
-(** [legend corner] explains the kinds of rays, in one line. *)
-
-val legend_width : float
-(** [legend_width] is how wide that is. *)

@@ -56,18 +56,16 @@ let chosen view met (scene : Scene.t) =
   |> List.filteri (fun i _ -> i < most_objects)
   |> List.stable_sort (fun a b -> Float.compare a.nearness b.nearness)
 
-let label view { number; object_; is_met; _ } ~few place =
-  if is_met then
-    let name = pf "%s %d" (Shape.name object_.shape) number in
-    [ Svg.text ~anchor:"middle" (View.inside view place) name ]
-  else if few && View.contains view place then
-    let color = "#888" in
-    [ Svg.text ~anchor:"middle" ~size:10. ~color place (string_of_int number) ]
-  else []
+let name { number; object_; _ } place =
+  let words = pf "%s %d" (Shape.name object_.shape) number in
+  Drawn.label (Label.make ~anchor:"middle" [ place ] words)
+
+let bare_number { number; _ } place =
+  Drawn.label
+    (Label.make ~anchor:"middle" ~size:10. ~color:"#888" ~reach:30. [ place ]
+       (string_of_int number))
 
 (* {1 All of them} *)
-
-type t = { shapes : Svg.t list; labels : Svg.t list }
 
 (* At which level a shape is cut: that of its first hit, or of the eye. *)
 let levels side e =
@@ -79,21 +77,34 @@ let levels side e =
     (Path.hits e);
   fun number -> Option.value (Hashtbl.find_opt levels number) ~default:0.
 
+(* At most so many objects that are not met are numbered. *)
+let few = 30
+
+(* The objects, the names of those that are met, the numbers of the others. *)
 let objects (view : View.t) scene e =
   let met = Hashtbl.create 16 in
   List.iter (fun number -> Hashtbl.replace met number ()) (Path.objects e);
   let level = levels view.side e in
   let items = chosen view met scene in
-  let few = List.compare_length_with items 30 <= 0 in
-  let one item =
+  let draw item =
     let look = { Silhouette.fill = fill item.object_; is_met = item.is_met } in
-    let drawn (shape, place) = (shape, label view item ~few place) in
     Shape.outline item.object_.shape
     |> Silhouette.draw view look ~level:(level item.number)
-    |> Option.map drawn
+    |> Option.map (fun (shape, place) -> (item, shape, place))
   in
-  let shapes, labels = List.split (List.filter_map one items) in
-  { shapes; labels = List.concat labels }
+  let drawn = List.filter_map draw items in
+  let names (item, _, place) =
+    if item.is_met then Some (name item place) else None
+  and numbers (item, _, place) =
+    if (not item.is_met) && View.contains view place then
+      Some (bare_number item place)
+    else None
+  in
+  ( Drawn.shapes (List.map (fun (_, shape, _) -> shape) drawn),
+    Drawn.all (List.filter_map names drawn),
+    if List.compare_length_with items few <= 0 then
+      Drawn.all (List.filter_map numbers drawn)
+    else Drawn.all [] )
 
 (* {1 Eye and canvas} *)
 
@@ -106,15 +117,26 @@ let eye_and_canvas view
   in
   let ((x, y) as eye) = View.point view (Vec3.make 0. 0. (-.depth)) in
   let ((x', y') as top) = View.point view high in
-  [
-    Svg.line ~style:{|stroke="#00897b" stroke-width="2.5"|}
-      (View.point view low) top;
-    Svg.text ~color:"#00695c" ~size:11. (x' +. 5., y' -. 3.) "canvas";
-    Svg.circle ~style:{|fill="white" stroke="#222" stroke-width="1.5"|} eye 5.5;
-    Svg.circle ~style:{|fill="#222"|} eye 2.4;
-    Svg.text (x +. 9., y +. 12.) "eye";
-  ]
+  Drawn.all
+    [
+      Drawn.shapes
+        [
+          Svg.line ~style:{|stroke="#00897b" stroke-width="2.5"|}
+            (View.point view low) top;
+        ];
+      Drawn.mark (Rectangle.around eye 6.)
+        [
+          Svg.circle ~style:{|fill="white" stroke="#222" stroke-width="1.5"|}
+            eye 5.5;
+          Svg.circle ~style:{|fill="#222"|} eye 2.4;
+        ];
+      Drawn.label (Label.make [ (x +. 9., y +. 12.) ] "eye");
+      Drawn.label
+        (Label.make ~color:"#00695c" ~size:11.
+           [ (x' +. 5., y' -. 3.) ]
+           "canvas");
+    ]
 
 let draw view (scene : Scene.t) e =
-  let { shapes; labels } = objects view scene e in
-  { shapes = shapes @ eye_and_canvas view scene.camera; labels }
+  let shapes, names, numbers = objects view scene e in
+  (Drawn.all [ shapes; eye_and_canvas view scene.camera; names ], numbers)

@@ -2,8 +2,9 @@ open Raylab_scene
 
 type t = None | Palette | True_color
 
-(* GNU screen takes a colour of 24 bits for other colours, though it hands on the
-   COLORTERM of the terminal around it. So may tmux be called, which does not. *)
+(* GNU screen takes a colour of 24 bits for other colours, though it hands on
+   the COLORTERM of the terminal around it. tmux, which does not, may have the
+   same TERM. *)
 let is_screen value =
   String.starts_with ~prefix:"screen" (value "TERM") && value "TMUX" = ""
 
@@ -47,8 +48,8 @@ let is_near h h' =
   Float.min apart (360. -. apart) <= 15.
 
 (* There are few dark colours in the palette: the one nearest to most browns is
-   olive. A wrong hue looks more wrong than a wrong brightness, and a grey, if it
-   is near, not wrong. *)
+   olive. A wrong hue looks more wrong than a wrong brightness, and a grey, if
+   it is near, not wrong. *)
 let cost bytes hue entry =
   let d = distance bytes entry.bytes in
   match (hue, entry.hue) with

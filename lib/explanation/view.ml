@@ -27,10 +27,8 @@ let point { side; left; top; height; scale; frame; _ } p =
 let contains { left; top; width; height; _ } (x, y) =
   left <= x && x <= left +. width && top <= y && y <= top +. height
 
-let inside { left; top; width; height; _ } (x, y) =
-  let clamp low high x = Float.max low (Float.min high x) in
-  ( clamp (left +. 32.) (left +. width -. 32.) x,
-    clamp (top +. 14.) (top +. height -. 6.) y )
+let rectangle { left; top; width; height; _ } =
+  { Rectangle.left; top; right = left +. width; bottom = top +. height }
 
 let clip view origin direction range =
   let { side; left; top; width; height; scale; _ } = view in

@@ -34,9 +34,8 @@ val point : t -> Vec3.t -> point
 val contains : t -> point -> bool
 (** [contains view p] is whether [p] is in the panel of [view]. *)
 
-val inside : t -> point -> point
-(** [inside view p] is [p], or the place nearest to it where the panel has room
-    for a label. *)
+val rectangle : t -> Rectangle.t
+(** [rectangle view] is the panel of [view]. *)
 
 val segment : t -> Vec3.t -> Vec3.t -> float -> (point * point) option
 (** [segment view origin direction length] is the part that the panel shows of

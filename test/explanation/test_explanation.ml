@@ -11,4 +11,5 @@ let () =
       Test_json.suite;
       Test_svg.suite;
       Test_path_picture.suite;
+      Test_labels.suite;
     ]
