@@ -20,8 +20,9 @@ let repl scene script () =
   Unix.putenv Fast.variable here;
   try Unix.execv program [| program; argument scene; argument script |]
   with Unix.Unix_error (error, _, _) ->
-    Command.say "cannot run %s, which belongs beside %s: %s" program here
-      (Unix.error_message error);
+    Command.say "cannot run %s, which belongs beside %s: %s%s" program here
+      (Unix.error_message error)
+      (if error = ENOENT then ". In a checkout dune build makes it" else "");
     raise (Command.Ended Cmd.Exit.internal_error)
 
 let scene =
