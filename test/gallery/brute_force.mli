@@ -1,1 +1,0 @@
-(* Compares the hierarchy with brute force over the gallery. *)

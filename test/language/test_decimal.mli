@@ -1,1 +1,0 @@
-val suite : unit Alcotest.test

@@ -1,1 +1,0 @@
-(** The tests of the library raylab.language; runs when linked. *)

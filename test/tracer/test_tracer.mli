@@ -1,1 +1,0 @@
-(** The tests of the library raylab.tracer; runs when linked. *)
