@@ -1,2 +1,0 @@
-val suite : unit Alcotest.test
-(** [suite] is the tests called Labels. *)
