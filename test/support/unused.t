@@ -6,7 +6,10 @@ in it is for itself.
   >   awk '
   >     /^(let|and) / { defined[$2 == "rec" ? $3 : $2] }
   >     { gsub(/[^A-Za-z0-9_]+/, " "); for (k = 1; k <= NF; k++) count[$k]++ }
-  >     END { for (name in defined) if (count[name] == 1 && name != "suite") print name }
+  >     END {
+  >       delete defined["suite"]
+  >       for (name in defined) if (count[name] == 1) print name
+  >     }
   >   ' "$1"
   > }
   $ for file in ../*/*.ml; do
