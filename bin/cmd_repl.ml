@@ -22,7 +22,8 @@ let repl scene script () =
   with Unix.Unix_error (error, _, _) ->
     Command.say "cannot run %s, which belongs beside %s: %s%s" program here
       (Unix.error_message error)
-      (if error = ENOENT then ". In a checkout dune build makes it" else "");
+      (if error = ENOENT then ". In a checkout dune build @install makes it"
+       else "");
     raise (Command.Ended Cmd.Exit.internal_error)
 
 let scene =

@@ -439,5 +439,5 @@ directory, without a home.
   0
   $ rm "$there-utop"
   $ "$there" repl
-  raylab: cannot run $TESTCASE_ROOT/moved to/bin/raylab-utop, which belongs beside $TESTCASE_ROOT/moved to/bin/raylab: No such file or directory. In a checkout dune build makes it
+  raylab: cannot run $TESTCASE_ROOT/moved to/bin/raylab-utop, which belongs beside $TESTCASE_ROOT/moved to/bin/raylab: No such file or directory. In a checkout dune build @install makes it
   [125]
