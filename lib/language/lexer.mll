@@ -10,15 +10,16 @@ let word text =
   | None -> Parser.WORD text
 }
 
-let blank = [' ' '\t' '\r' '\011' '\012']
+let blank = [' ' '\t' '\011' '\012']
+let line_end = '\n' | '\r' | "\r\n"
 let digits = ['0'-'9']+
 let number =
   ['+' '-']? (digits ('.' ['0'-'9']*)? | '.' digits)
   (['e' 'E'] ['+' '-']? digits)?
 
 rule token = parse
-  | blank+ | '#' [^ '\n']* { token lexbuf }
-  | '\n' { Lexing.new_line lexbuf; token lexbuf }
+  | blank+ | '#' [^ '\n' '\r']* { token lexbuf }
+  | line_end { Lexing.new_line lexbuf; token lexbuf }
   | number { number lexbuf }
   | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#']+ as text { word text }
   | eof { Parser.EOF }

@@ -5,16 +5,32 @@ let block = 4096
 type line = { number : int; start : int; stop : int }
 type t = { text : string; blocks : line array }
 
+(* Whether a line follows the byte at [i]. Of CR LF it follows the LF. *)
+let ends_line text i =
+  match text.[i] with
+  | '\n' -> true
+  | '\r' -> i + 1 = String.length text || text.[i + 1] <> '\n'
+  | _ -> false
+
+(* The line end that is at or after [i], before [limit], or else [limit]. *)
+let rec find_end text i limit =
+  if i >= limit || text.[i] = '\n' || text.[i] = '\r' then i
+  else find_end text (i + 1) limit
+
+(* One may start to look for an end in the middle of it. *)
+let start_of_end text i =
+  if 0 < i && i < String.length text && text.[i] = '\n' && text.[i - 1] = '\r'
+  then i - 1
+  else i
+
 let line_end text ~from =
-  match String.index_from_opt text from '\n' with
-  | Some stop -> stop
-  | None -> String.length text
+  start_of_end text (find_end text from (String.length text))
 
 (* The line at [offset], of which [line] is one before or the same. Looks at the
    bytes from [from] on, where [line] still is. *)
 let rec advance text line ~from offset =
   if from >= offset then line
-  else if text.[from] = '\n' then
+  else if ends_line text from then
     let start = from + 1 in
     let next = { number = line.number + 1; start; stop = -1 } in
     advance text next ~from:start offset
@@ -39,10 +55,8 @@ let at { text; blocks } offset =
   else
     (* the end is in this block, or is that of the line at the next one *)
     let next = (k + 1) * block in
-    let rec find i =
-      if i >= String.length text then i
-      else if i = next then blocks.(k + 1).stop
-      else if text.[i] = '\n' then i
-      else find (i + 1)
+    let stop = find_end text offset (Int.min next (String.length text)) in
+    let stop =
+      if stop = next then blocks.(k + 1).stop else start_of_end text stop
     in
-    { line with stop = find offset }
+    { line with stop }

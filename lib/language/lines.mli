@@ -12,7 +12,8 @@ type line = {
   start : int;  (** the offset of its first byte *)
   stop : int;  (** the offset of its line end, or of the text's end *)
 }
-(** A line of a text, which a line feed ends. *)
+(** A line of a text. A line feed ends it, a carriage return, or both, the
+    carriage return first: what editors take for the end of a line. *)
 
 val at : t -> int -> line
 (** [at index offset] is the line of the byte at [offset], or of the end of the

@@ -38,13 +38,8 @@ let make ~name text =
 let name source = source.name
 let text source = source.text
 
-(* The line on which [span] starts, a carriage return at its end left out. *)
-let line_of source span =
-  let line = Lines.at (Lazy.force source.lines) (Span.start span) in
-  let { Lines.start; stop; _ } = line in
-  if stop > start && source.text.[stop - 1] = '\r' then
-    { line with stop = stop - 1 }
-  else line
+(* The line on which [span] starts. *)
+let line_of source span = Lines.at (Lazy.force source.lines) (Span.start span)
 
 type place = { line : int; first : int; last : int }
 
@@ -75,7 +70,7 @@ let next_word source offset =
   let rec find i =
     let start = skip is_blank i in
     if start < length && text.[start] = '#' then
-      find (skip (fun c -> c <> '\n') start)
+      find (skip (fun c -> c <> '\n' && c <> '\r') start)
     else
       let stop = skip (fun c -> not (is_blank c || c = '#')) start in
       Span.make ~start ~stop

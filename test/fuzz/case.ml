@@ -158,7 +158,7 @@ let damage random text =
   let before = String.sub text 0 at
   and piece = String.sub text at (stop - at)
   and after = String.sub text stop (length - stop) in
-  match up_to random 9 with
+  match up_to random 10 with
   | 0 -> before ^ after
   | 1 -> before ^ piece ^ piece ^ after
   | 2 -> before
@@ -167,6 +167,7 @@ let damage random text =
   | 5 -> "\xef\xbb\xbf" ^ text
   | 6 -> String.concat "\r\n" (String.split_on_char '\n' text)
   | 7 -> after ^ before
+  | 9 -> String.concat "\r" (String.split_on_char '\n' text)
   | 8 -> before ^ " " ^ mixture random ^ " " ^ after
   | _ -> before ^ choose random strange ^ piece ^ after
 

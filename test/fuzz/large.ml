@@ -28,6 +28,7 @@ let texts =
     ("many settings", times "depth 1 imWidth 2 ");
     ("empty lines", times "\n");
     ("lines of Windows", times "\r\n");
+    ("lines that CR ends", times "#\r");
     ("a long word", times "m");
     ("a long number", fun n -> "imWidth " ^ times "1" n);
     ("a wrong number after a long one", fun n ->

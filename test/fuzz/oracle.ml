@@ -14,11 +14,20 @@ let is_clean text =
 let bytes_before_text text =
   if String.starts_with ~prefix:"\xef\xbb\xbf" text then 3 else 0
 
-(* The lengths of the lines. *)
+(* The lengths of the lines, which LF, CR or CR LF end. *)
 let line_lengths text =
+  let length = String.length text in
+  let rec cut start at lengths =
+    if at = length then List.rev ((at - start) :: lengths)
+    else
+      match text.[at] with
+      | '\r' when at + 1 < length && text.[at + 1] = '\n' ->
+          cut (at + 2) (at + 2) ((at - start) :: lengths)
+      | '\r' | '\n' -> cut (at + 1) (at + 1) ((at - start) :: lengths)
+      | _ -> cut start (at + 1) lengths
+  in
   let from = bytes_before_text text in
-  let text = String.sub text from (String.length text - from) in
-  Array.of_list (List.map String.length (String.split_on_char '\n' text))
+  Array.of_list (cut from from [])
 
 (* What is missing would stand one column after the line. *)
 let is_inside lengths { Scene_error.place; _ } =

@@ -30,6 +30,20 @@ let test_bytes () =
   Read.check_errors "after a tab" "\n\tfoo\n ^^^ unknown keyword 'foo'";
   Read.check_errors "before a CR" "\nfoo\r\n^^^ unknown keyword 'foo'"
 
+let test_lines () =
+  let check what text expected =
+    match (List.hd (Read.errors text)).place with
+    | Some { line; first; _ } ->
+        Alcotest.(check (pair int int)) what expected (line, first)
+    | None -> Alcotest.fail "no place"
+  in
+  check "CR" "imWidth 4 # one\r# two\rimHeight x" (3, 10);
+  check "CR LF" "imWidth 4 # one\r\n# two\r\nimHeight x" (3, 10);
+  (* of a number that is checked later, found by going over the words again *)
+  check "a number"
+    (Read.with_header "sphere 0 0 # 6 1\r 6 -1 reflective")
+    (3, 4)
+
 let test_end () =
   check "of a line"
     {|
@@ -51,4 +65,5 @@ let suite =
       Alcotest.test_case "words" `Quick test_words;
       Alcotest.test_case "bytes" `Quick test_bytes;
       Alcotest.test_case "the end" `Quick test_end;
+      Alcotest.test_case "lines" `Quick test_lines;
     ] )

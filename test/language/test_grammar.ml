@@ -74,24 +74,23 @@ let test_layout () =
   check "comments" expected
     "# one\nsphere 0 0 # the middle\n  6 1 # radius\nreflective#end";
   check "CRLF" expected "objects\r\nsphere 0 0 6 1\r\nreflective\r\n";
+  check "CR" expected "# one\robjects\rsphere 0 0 6 1 # two\rreflective\r";
   let text = Read.with_header "sphere 0 0 6 1 reflective" in
   Alcotest.check Same.scene "a byte order mark" expected
     (Read.scene ("\xef\xbb\xbf" ^ text))
 
-(* Lights and objects know the lines of their first words. *)
+(* Lights and objects know the lines of their first words, whatever ends a
+   line. *)
 let test_lines () =
   let scene =
     Read.scene
       (Read.with_header
-         "lights\n\
-          spherical 1 red\n\
+         "lights\rspherical 1 red\n\
           0 0 0 directional 1 red 0 0 1\n\
-          # a comment\n\
-          objects\r\n\
+          # a comment\robjects\r\n\
           \r\n\
           sphere 0 0 6 1\n\
-          reflective plane 0 0 0\n\
-          0 1 0 reflective sphere 0 0 6 1 reflective")
+          reflective plane 0 0 0\r0 1 0 reflective sphere 0 0 6 1 reflective")
   in
   let lines = Alcotest.(list (option int)) in
   Alcotest.check lines "lights" [ Some 3; Some 4 ]

@@ -11,6 +11,15 @@ let printed_is_clean error =
   && String.for_all (fun c -> c >= ' ' || c = '\n') text
   && not (String.contains text '\x7f')
 
+let lines text =
+  (* each character once: CR LF becomes LF, and then CR becomes LF *)
+  let pieces = String.split_on_char '\r' text in
+  let joined k piece =
+    if k > 0 && not (String.starts_with ~prefix:"\n" piece) then "\n" ^ piece
+    else piece
+  in
+  String.split_on_char '\n' (String.concat "" (List.mapi joined pieces))
+
 let place_is_inside lines { Scene_error.place; _ } =
   match place with
   | None -> false
@@ -25,7 +34,7 @@ let is_scene_or_errors text =
   match Read.result text with
   | Ok _ -> true
   | Error errors ->
-      let lines = String.split_on_char '\n' text in
+      let lines = lines text in
       errors <> []
       && List.for_all (place_is_inside lines) errors
       && List.for_all printed_is_clean errors
@@ -38,7 +47,18 @@ let random_bytes = holds "random bytes" QCheck2.Gen.(string_size (0 -- 60))
 let words =
   List.map fst Keyword.all
   @ [ "0"; "1"; "-1"; ".5"; "1e999"; "1e-999"; "1.2.3"; "2147483648" ]
-  @ [ "difuse"; "shpere"; "#"; "# x\n"; "\n"; "\r\n"; "\t"; "\x00" ]
+  @ [
+      "difuse";
+      "shpere";
+      "#";
+      "# x\n";
+      "\n";
+      "\r\n";
+      "\r";
+      "# x\r";
+      "\t";
+      "\x00";
+    ]
   @ [ "\xff"; "\xc3\xa9"; "\xef\xbb\xbf"; "\x1b[31m"; "\u{202E}" ]
 
 let soup =
@@ -97,6 +117,7 @@ let test_long () =
   check "a long number" ("imWidth " ^ String.make 1_000_000 '1');
   check "a long comment" ("#" ^ String.make 1_000_000 'm');
   check "empty lines" (String.make 1_000_000 '\n');
+  check "empty lines of another kind" (String.make 1_000_000 '\r');
   check "NUL" (String.make 1_000_000 '\x00')
 
 (* Each error has its own excerpt. *)

@@ -20,6 +20,7 @@ let test_place () =
   check "CR is no part of the line" (3, 8) (2, 1, 2);
   check "empty" (3, 3) (2, 1, 1);
   check "the end" (9, 9) (3, 3, 3);
+  check_place "after CR" "a\rbc" (2, 4) (2, 1, 2);
   check_place "after the last line end" "ab\n" (3, 3) (2, 1, 1);
   check_place "nothing" "" (0, 0) (1, 1, 1)
 
@@ -35,7 +36,8 @@ let test_excerpt () =
   check "characters" "\tx \xc3\xa9 y" (6, 7) (" x \xc3\xa9 y", 5, 1);
   check "a marked character" "x \xc3\xa9 y" (2, 4) ("x \xc3\xa9 y", 2, 1);
   check "empty span" "ab" (2, 2) ("ab", 2, 1);
-  check "CR" "ab\r\n" (0, 1) ("ab", 0, 1)
+  check "CR LF" "ab\r\n" (0, 1) ("ab", 0, 1);
+  check "CR" "ab\rcd\ref" (3, 4) ("cd", 0, 1)
 
 let test_long_line () =
   let text = String.make 500 'a' ^ "HERE" ^ String.make 500 'b' in
@@ -65,20 +67,23 @@ let test_name () =
     "bytes as they are" "\x00\xff"
     (Source.text (source "\x00\xff"))
 
-(* Offsets: 1'0 2'2 #4 ... \n7 3'9, and the end at 10. *)
+(* Offsets: 1'0 2'2 #4 ... the line end'7 3'9, and the end at 10. *)
 let test_word () =
-  let source = source "1 2 # x\n 3" in
-  let check offset (start, stop) =
-    let word = Source.next_word source offset in
+  let check text offset (start, stop) =
+    let word = Source.next_word (source text) offset in
     Alcotest.(check (pair int int))
       (Printf.sprintf "from %d" offset)
       (start, stop)
       (Span.start word, Span.stop word)
   in
-  check 0 (0, 1);
-  check 1 (2, 3);
-  check 3 (9, 10);
-  check 10 (10, 10)
+  let check_all text =
+    check text 0 (0, 1);
+    check text 1 (2, 3);
+    check text 3 (9, 10);
+    check text 10 (10, 10)
+  in
+  check_all "1 2 # x\n 3";
+  check_all "1 2 # x\r 3"
 
 let test_quote () =
   Alcotest.(check string)
