@@ -9,44 +9,30 @@ let lexbuf source =
       next := !next + length;
       length)
 
-let keywords_among acceptable =
-  List.filter_map
-    (fun (word, token) -> if acceptable token then Some word else None)
-    Keyword.all
+(* What was expected in a state, and the rest of what is said there. *)
+let expectation state =
+  let text = Parser_messages.message state in
+  match String.index_opt text '\n' with
+  | Some i ->
+      ( String.sub text 0 i,
+        String.trim (String.sub text i (String.length text - i)) )
+  | None -> (text, "")
 
 let syntax_error source checkpoint state token (start : Lexing.position)
     (stop : Lexing.position) =
   let span = Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum in
-  let expected, advice =
-    let text = Parser_messages.message state in
-    match String.index_opt text '\n' with
-    | Some i ->
-        ( String.sub text 0 i,
-          String.trim (String.sub text i (String.length text - i)) )
-    | None -> (text, "")
-  in
-  let found = Source.quote source span in
-  let message =
-    match (token : Parser.token) with
-    | WORD _ when expected = "number" ->
-        Printf.sprintf "'%s' is not a number" found
-    | WORD _ -> Printf.sprintf "unknown %s '%s'" expected found
-    | EOF -> Printf.sprintf "the file ends where a %s should follow" expected
-    | _ -> Printf.sprintf "a %s should stand here, not '%s'" expected found
-  in
-  let suggestion =
-    match token with
-    | WORD word ->
-        let acceptable token = Engine.acceptable checkpoint token start in
-        Keyword.nearest word ~among:(keywords_among acceptable)
-    | _ -> None
-  in
-  let advice =
-    match suggestion with
-    | Some word -> Printf.sprintf "%s Did you mean '%s'?" advice word
-    | None -> advice
-  in
-  Scene_error.make source span ~advice message
+  let expected, advice = expectation state in
+  match (token : Parser.token) with
+  | WORD _ ->
+      let acceptable token = Engine.acceptable checkpoint token start in
+      Unknown_word.error source span ~acceptable ~expected ~advice
+  | EOF ->
+      Scene_error.make source span ~advice
+        (Printf.sprintf "the file ends where a %s should follow" expected)
+  | _ ->
+      Scene_error.make source span ~advice
+        (Printf.sprintf "a %s should stand here, not '%s'" expected
+           (Source.quote source span))
 
 (* Runs the slow parser over a text that the fast one refused. *)
 let explain_error source =

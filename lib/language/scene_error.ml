@@ -23,6 +23,16 @@ let make source span ?(advice = "") message =
     advice;
   }
 
+let whole source ?(advice = "") message =
+  let place = Source.place source (Span.make ~start:0 ~stop:0) in
+  {
+    file = Source.name source;
+    place = Some place;
+    message;
+    excerpt = "";
+    advice;
+  }
+
 let unreadable ~file reason =
   {
     file = Source.printable file;

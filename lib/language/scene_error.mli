@@ -13,6 +13,10 @@ type t = {
 val make : Source.t -> Span.t -> ?advice:string -> string -> t
 (** [make source span message] is the error that [span] is wrong. *)
 
+val whole : Source.t -> ?advice:string -> string -> t
+(** [whole source message] is the error that all of the text is wrong. Its
+    place is the start, and it has no excerpt. *)
+
 val unreadable : file:string -> string -> t
 (** [unreadable ~file reason] is the error that [file] cannot be read. *)
 

@@ -8,13 +8,23 @@ let too_large file =
   let reason = Printf.sprintf "the scene is larger than %d bytes" max_size in
   Error [ Scene_error.unreadable ~file reason ]
 
+let read_scene source =
+  match Reader.parse source with
+  | Error error -> Error [ error ]
+  | Ok syntax -> Check.scene source syntax
+
+let foreign source encoding =
+  Scene_error.whole source
+    (Printf.sprintf "the text is %s, and a scene is UTF-8" encoding)
+    ~advice:"save it as UTF-8"
+
 let parse source =
-  if String.length (Source.text source) > max_size then
-    too_large (Source.name source)
+  let text = Source.text source in
+  if String.length text > max_size then too_large (Source.name source)
   else
-    match Reader.parse source with
-    | Error error -> Error [ error ]
-    | Ok syntax -> Check.scene source syntax
+    match (read_scene source, Encoding.foreign text) with
+    | Error _, Some encoding -> Error [ foreign source encoding ]
+    | result, _ -> result
 
 (* {1 Reading files} *)
 

@@ -6,17 +6,9 @@ let printable text =
     if i < String.length text then (
       let decoded = String.get_utf_8_uchar text i in
       let code = Uchar.to_int (Uchar.utf_decode_uchar decoded) in
-      let is_control = code < 0x20 || (0x7f <= code && code < 0xa0) in
-      (* these reverse or hide text on some terminals *)
-      let is_format =
-        (0x200b <= code && code <= 0x200f)
-        || (0x2028 <= code && code <= 0x202e)
-        || (0x2060 <= code && code <= 0x206f)
-        || code = 0xfeff
-      in
       if code = 0x09 then Buffer.add_char out ' '
       else if
-        is_control || is_format || not (Uchar.utf_decode_is_valid decoded)
+        Character.is_unseen code || not (Uchar.utf_decode_is_valid decoded)
       then Buffer.add_utf_8_uchar out Uchar.rep
       else Buffer.add_utf_8_uchar out (Uchar.of_int code);
       copy (i + Uchar.utf_decode_length decoded))

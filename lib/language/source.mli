@@ -42,6 +42,7 @@ val excerpt : t -> Span.t -> string * int * int
     and the place of [span] in it, in characters. *)
 
 val printable : string -> string
-(** [printable text] is [text] with every control character and every byte that
-    is not valid UTF-8 replaced by U+FFFD, so that a hostile file cannot reach
-    the terminal's controls. Tabs become spaces. *)
+(** [printable text] is [text] with every character that is
+    {!Character.is_unseen} and every byte that is not valid UTF-8 replaced by
+    U+FFFD, so that a hostile file cannot reach the terminal's controls, and
+    what is not seen elsewhere is seen. Tabs become spaces. *)

@@ -7,6 +7,9 @@ let () =
       Test_decimal.suite;
       Test_lexer.suite;
       Test_keyword.suite;
+      Test_suggestion.suite;
+      Test_lookalike.suite;
+      Test_encoding.suite;
       Test_grammar.suite;
       Test_mixes.suite;
       Test_numbers.suite;

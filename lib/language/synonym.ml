@@ -1,0 +1,78 @@
+(* Words of the language, and what others call that. A word of others may stand
+   in several rows. *)
+let rows =
+  [
+    ( "reflective",
+      "mirror mirrors mirrored mirroring mirrorlike reflection reflections \
+       reflect reflecting reflector specular chrome metal metallic polished" );
+    ( "diffusive",
+      "matte matt mat diffuse diffused diffusion lambert lambertian color \
+       colour colored coloured paint painted pigment albedo dull" );
+    ( "luminous",
+      "emission emissive emit emits emitting emitter emittance glow glows \
+       glowing luminance luminescent self-luminous light-emitting ambient \
+       unlit" );
+    ("mixed", "mix mixes mixture blend blended combine combined layered");
+    ("sphere", "ball balls globe orb spheroid");
+    ("plane", "floor ground wall ceiling half-space infinite-plane");
+    ( "spherical",
+      "point point-light lamp bulb light-bulb omni omnidirectional positional \
+       light light-source" );
+    ( "directional",
+      "sun sunlight sunshine distant distant-light parallel parallel-light \
+       light light-source directional-light" );
+    ("lights", "light lamp lamps lighting sun light-source light-sources");
+    ("objects", "object shapes things geometry primitives world");
+    ( "bcolor",
+      "background background-color background-colour back bg sky sky-color \
+       sky-colour backdrop color colour" );
+    ( "imWidth",
+      "width image-width picture-width pixel-width xres x-resolution \
+       resolution size image-size picture-size" );
+    ( "imHeight",
+      "height image-height picture-height pixel-height yres y-resolution \
+       resolution size image-size picture-size" );
+    ( "canvWidth",
+      "width canvas canvas-width canvas-size screen screen-width viewport \
+       viewport-width window film fov field-of-view angle-of-view angle" );
+    ( "canvHeight",
+      "height canvas canvas-height canvas-size screen screen-height viewport \
+       viewport-height window film" );
+    ( "depth",
+      "camera eye viewer viewpoint observer camera-position eye-position \
+       location distance eye-distance focal-length focal focus zoom lens fov \
+       field-of-view angle-of-view angle" );
+    ( "raydepth",
+      "max-depth maximum-depth recursion recursion-depth recursion-limit \
+       max-recursion trace-depth trace-level max-trace-level bounces \
+       max-bounces reflections" );
+    ("cyan", "aqua");
+    ("magenta", "fuchsia");
+    ("green", "lime");
+  ]
+
+let all =
+  List.map
+    (fun (keyword, words) -> (keyword, String.split_on_char ' ' words))
+    rows
+
+let bare word =
+  String.lowercase_ascii word
+  |> String.to_seq
+  |> Seq.filter (fun c -> c <> '-' && c <> '_')
+  |> String.of_seq
+
+let table =
+  let table = Hashtbl.create 256 in
+  let add keyword word =
+    let known = Option.value ~default:[] (Hashtbl.find_opt table word) in
+    Hashtbl.replace table word (known @ [ keyword ])
+  in
+  let add_row (keyword, words) =
+    List.iter (add keyword) (List.map bare words)
+  in
+  List.iter add_row all;
+  table
+
+let keywords word =
+  Option.value ~default:[] (Hashtbl.find_opt table (bare word))

@@ -1,0 +1,69 @@
+open Raylab_scene
+
+(* {1 A character that does not belong} *)
+
+let span_of word_span { Lookalike.start; stop; _ } =
+  let offset = Span.start word_span in
+  Span.make ~start:(offset + start) ~stop:(offset + stop)
+
+let character_error source word_span found =
+  let { Lookalike.name; meant; _ } = found in
+  let message, advice =
+    match meant with
+    | "" -> (name ^ ", is not seen, and belongs to no word", "remove it")
+    | " " -> (name ^ ", separates no words", "write an ordinary space instead")
+    | meant ->
+        ( Printf.sprintf "%s, is not '%s'" name meant,
+          Printf.sprintf "write '%s' instead" meant )
+  in
+  Scene_error.make source (span_of word_span found) message ~advice
+
+(* Whether the language knows all words of [text]. *)
+let is_known text =
+  let lexbuf = Lexing.from_string text in
+  let rec rest () =
+    match Lexer.token lexbuf with
+    | EOF -> true
+    | WORD _ -> false
+    | _ -> rest ()
+  in
+  rest ()
+
+(* {1 A word} *)
+
+let names_of_colors =
+  match List.rev_map fst Color.names with
+  | last :: before ->
+      Printf.sprintf "\nThe names are %s and %s."
+        (String.concat ", " (List.rev before))
+        last
+  | [] -> ""
+
+let character_told source word_span found =
+  let place = Source.place source (span_of word_span found) in
+  Printf.sprintf " There is %s, in column %d." found.name place.first
+
+let word_error source span ~acceptable ~expected ~advice word =
+  let quoted = Source.quote source span in
+  let message =
+    if expected = "number" then Printf.sprintf "'%s' is not a number" quoted
+    else Printf.sprintf "unknown %s '%s'" expected quoted
+  and names = if expected = "colour" then names_of_colors else ""
+  and character =
+    Option.fold ~none:""
+      ~some:(character_told source span)
+      (Lookalike.first word)
+  and suggestion =
+    match Suggestion.sentence ~acceptable word with
+    | "" -> ""
+    | sentence -> " " ^ sentence
+  in
+  Scene_error.make source span message
+    ~advice:(advice ^ names ^ character ^ suggestion)
+
+let error source span ~acceptable ~expected ~advice =
+  let word = Source.slice source span in
+  match Lookalike.first word with
+  | Some found when is_known (Lookalike.plain word) ->
+      character_error source span found
+  | _ -> word_error source span ~acceptable ~expected ~advice word
