@@ -38,7 +38,7 @@ let rec surface s : Yojson.Safe.t =
   in
   let parts =
     match (s : Surface.t) with
-    | Mixed parts -> [ ("parts", `List (List.map weighted parts)) ]
+    | Mixed { parts; _ } -> [ ("parts", `List (List.map weighted parts)) ]
     | simple -> List.map part (Surface.parts simple)
   in
   `Assoc (("kind", text (Surface.name s)) :: parts)

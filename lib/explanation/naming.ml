@@ -29,7 +29,7 @@ let add_paint weight paints color =
 (* The colours that a surface is painted with, in the order in which they are
    written, one for each word. The last one is the first of the list. *)
 let rec add_paints weight paints = function
-  | Surface.Mixed parts ->
+  | Surface.Mixed { parts; _ } ->
       let add paints (part, surface) =
         add_paints (Saturate.limit (weight *. part)) paints surface
       in
@@ -41,7 +41,7 @@ let rec add_paints weight paints = function
 let paints surface = List.rev (add_paints 1. [] surface)
 
 let rec starts_with_mirror = function
-  | Surface.Mixed ((_, first) :: _) -> starts_with_mirror first
+  | Surface.Mixed { parts = (_, first) :: _; _ } -> starts_with_mirror first
   | surface -> (Surface.meaning surface).mirror > 0.
 
 let glow emission =

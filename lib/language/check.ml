@@ -23,27 +23,28 @@ let check_shape words shape =
       Check_words.vector words "the point" point;
       Check_words.direction words "the normal" normal
 
-let rec check_surface words surface =
-  Check_words.skip_keyword words;
-  match surface with
-  | Syntax.Reflective -> ()
-  | Diffusive color | Luminous color ->
-      Check_words.color words "the surface's colour" color
-  | Mixed parts -> check_mix words parts
+let too_deep = "mixes are nested deeper than 1,000"
 
-(* The last part, which may be a mix of a million mixes, by a tail call. *)
-and check_mix words = function
-  | [] -> ()
-  | (weight, surface) :: rest ->
-      Check_words.number words Non_negative "the weight" weight;
-      if rest = [] then check_surface words surface
-      else (
-        check_surface words surface;
-        check_mix words rest)
+let rec check_surface words nesting = function
+  | Syntax.Mixed _ when nesting = Surface.max_nesting ->
+      Check_words.refuse words too_deep
+        ~advice:
+          "a mix in a mix may be written as one, with its weights multiplied"
+  | surface -> (
+      Check_words.skip_keyword words;
+      match surface with
+      | Reflective -> ()
+      | Diffusive color | Luminous color ->
+          Check_words.color words "the surface's colour" color
+      | Mixed parts -> List.iter (check_part words (nesting + 1)) parts)
+
+and check_part words nesting (weight, surface) =
+  Check_words.number words Non_negative "the weight" weight;
+  check_surface words nesting surface
 
 let check_object words { Syntax.shape; surface; _ } =
   check_shape words shape;
-  check_surface words surface
+  check_surface words 0 surface
 
 (* {1 Building}
 
@@ -60,31 +61,17 @@ let shape = function
   | Syntax.Sphere { centre; radius } -> Shape.sphere ~centre ~radius
   | Plane { point; normal } -> Shape.plane ~point ~normal
 
-(* [enclose inner mixes] is [inner] in all of [mixes], the innermost first: each
-   is its parts before, the last of them first, and the weight of what is in it.
-*)
-let enclose =
-  List.fold_left (fun inner (before, weight) ->
-      Surface.mixed (List.rev ((weight, inner) :: before)))
-
-(* Only the last part of a mix is a mix, which may go on a million deep: down
-   that chain and up again by loops. *)
-let rec surface_in mixes = function
-  | Syntax.Diffusive c -> enclose (Surface.diffusive c) mixes
-  | Reflective -> enclose Surface.reflective mixes
-  | Luminous c -> enclose (Surface.luminous c) mixes
-  | Mixed parts -> mix_in mixes [] parts
-
-and mix_in mixes before = function
-  | [ (weight, last) ] -> surface_in ((before, weight) :: mixes) last
-  | (weight, surface) :: rest ->
-      mix_in mixes ((weight, surface_in [] surface) :: before) rest
-  | [] -> invalid_arg "a mix of no surfaces"
-
-let surface = surface_in []
+let rec surface nesting = function
+  | Syntax.Diffusive c -> Surface.diffusive c
+  | Reflective -> Surface.reflective
+  | Luminous c -> Surface.luminous c
+  | Mixed _ when nesting = Surface.max_nesting -> invalid_arg too_deep
+  | Mixed parts ->
+      let part (weight, inner) = (weight, surface (nesting + 1) inner) in
+      Surface.mixed (List.map part parts)
 
 let object_ { Syntax.shape = s; surface = f; line; _ } =
-  Object.make ~line (shape s) (surface f)
+  Object.make ~line (shape s) (surface 0 f)
 
 (* [build_all findings build check start items] is what [build] makes of each
    item. [check] tells what is wrong with one that it refuses. *)

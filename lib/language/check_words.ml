@@ -14,6 +14,9 @@ let next words =
 
 let skip_keyword words = ignore (next words : Span.t)
 
+let refuse words ?advice message =
+  Findings.error words.findings (next words) ?advice message
+
 let number words rule name value =
   Findings.check_value words.findings rule name (next words) value
 

@@ -16,6 +16,9 @@ val start : Findings.t -> int -> t
 val skip_keyword : t -> unit
 (** [skip_keyword words] takes a word that is right. *)
 
+val refuse : t -> ?advice:string -> string -> unit
+(** [refuse words ~advice message] takes a word, which is wrong. *)
+
 val number : t -> Number.rule -> string -> float -> unit
 (** [number words rule name value] takes the word of [value], which is called
     [name] and must obey [rule]. *)

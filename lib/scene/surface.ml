@@ -4,7 +4,7 @@ type t =
   | Diffusive of Color.t
   | Reflective
   | Luminous of Color.t
-  | Mixed of (float * t) list
+  | Mixed of { parts : (float * t) list; nesting : int }
 
 let diffusive c =
   Color.require "a diffusive colour" c;
@@ -19,39 +19,34 @@ let luminous c =
 (* The scene language gives what follows a mix to that mix, so it has no way to
    write a mix before other parts. *)
 let[@tail_mod_cons] rec inline_mixes = function
-  | (weight, Mixed inner) :: (_ :: _ as rest) ->
+  | (weight, Mixed { parts; _ }) :: (_ :: _ as rest) ->
       let scaled (w, surface) = (Saturate.limit (weight *. w), surface) in
-      inline_mixes (List.map scaled inner @ rest)
+      inline_mixes (List.map scaled parts @ rest)
   | part :: rest -> part :: inline_mixes rest
   | [] -> []
+
+let max_nesting = 1000
+
+(* Only the last part of a mix can be a mix. *)
+let rec nesting_of_last = function
+  | [ (_, Mixed { nesting; _ }) ] -> nesting
+  | [] | [ _ ] -> 0
+  | _ :: rest -> nesting_of_last rest
 
 let mixed parts =
   if parts = [] then invalid_arg "a mix of no surfaces";
   List.iter
     (fun (weight, _) -> Number.require Non_negative "a weight" weight)
     parts;
-  Mixed (inline_mixes parts)
+  let parts = inline_mixes parts in
+  let nesting = 1 + nesting_of_last parts in
+  if nesting > max_nesting then
+    invalid_arg "mixes are nested deeper than 1,000";
+  Mixed { parts; nesting }
 
 type meaning = { emission : Color.t; albedo : Color.t; mirror : float }
 
 let nothing = { emission = Color.black; albedo = Color.black; mirror = 0. }
-
-(* {1 Nested mixes}
-
-   Only the last part of a mix can be a mix, so mixes nest as a chain. What goes
-   along one is a loop: a file may nest a million of them, and a stack as deep
-   is gone through anew by every minor collection. *)
-
-(* [unroll [] surface] is the mixes of the chain, the innermost first, each as
-   its parts but the last and the weight of that; and the end of the chain. *)
-let rec unroll outer = function
-  | Mixed parts -> unroll_parts outer [] parts
-  | surface -> (outer, surface)
-
-and unroll_parts outer before = function
-  | [ (weight, last) ] -> unroll ((List.rev before, weight) :: outer) last
-  | part :: rest -> unroll_parts outer (part :: before) rest
-  | [] -> invalid_arg "a mix of no surfaces"
 
 let add sum weight part =
   let combine a b = Saturate.color (Color.add a (Color.scale weight b)) in
@@ -65,23 +60,14 @@ let rec meaning = function
   | Diffusive c -> { nothing with albedo = c }
   | Reflective -> { nothing with mirror = 1. }
   | Luminous c -> { nothing with emission = c }
-  | Mixed _ as mix ->
-      let mixes, last = unroll [] mix in
+  | Mixed { parts; _ } ->
       let add_part sum (weight, surface) = add sum weight (meaning surface) in
-      let around inner (before, weight) =
-        add (List.fold_left add_part nothing before) weight inner
-      in
-      List.fold_left around (meaning last) mixes
+      List.fold_left add_part nothing parts
 
 (* [map f surface] is [surface] with [f] applied to each part that is no mix. *)
 let rec map f = function
-  | Mixed _ as mix ->
-      let mixes, last = unroll [] mix in
-      let map_part (weight, surface) = (weight, map f surface) in
-      let around inner (before, weight) =
-        mixed (List.map map_part before @ [ (weight, inner) ])
-      in
-      List.fold_left around (map f last) mixes
+  | Mixed { parts; _ } ->
+      mixed (List.map (fun (weight, surface) -> (weight, map f surface)) parts)
   | simple -> f simple
 
 let map_colors f =
@@ -98,12 +84,7 @@ let paint = function
 
 let rec varies = function
   | Diffusive _ | Reflective | Luminous _ -> false
-  | Mixed parts -> some_varies parts
-
-and some_varies = function
-  | [] -> false
-  | [ (_, last) ] -> varies last
-  | (_, surface) :: rest -> varies surface || some_varies rest
+  | Mixed { parts; _ } -> List.exists (fun (_, part) -> varies part) parts
 
 let simple_at (_ : Vec3.t) = function
   | (Diffusive _ | Reflective | Luminous _ | Mixed _) as same -> same
@@ -117,16 +98,10 @@ let rec equal a b =
   match (a, b) with
   | Diffusive a, Diffusive b | Luminous a, Luminous b -> Color.equal a b
   | Reflective, Reflective -> true
-  | Mixed a, Mixed b -> equal_parts a b
+  | Mixed a, Mixed b -> List.equal equal_part a.parts b.parts
   | (Diffusive _ | Reflective | Luminous _ | Mixed _), _ -> false
 
-and equal_parts a b =
-  match (a, b) with
-  | [ (weight, last) ], [ (weight', last') ] ->
-      weight = weight' && equal last last'
-  | (weight, surface) :: rest, (weight', surface') :: rest' ->
-      weight = weight' && equal surface surface' && equal_parts rest rest'
-  | _ -> false
+and equal_part (weight, a) (weight', b) = weight = weight' && equal a b
 
 let name = function
   | Diffusive _ -> "diffusive"
@@ -146,19 +121,12 @@ let pp_part pp_number ppf = function
       Format.fprintf ppf " %a %a %a" pp_number r pp_number g pp_number b
 
 let rec pp_with pp_number ppf surface =
+  let pp_weighted (weight, surface) =
+    Format.fprintf ppf " %a %a" pp_number weight (pp_with pp_number) surface
+  in
   Format.pp_print_string ppf (name surface);
   match surface with
-  | Mixed parts -> pp_mix pp_number ppf parts
+  | Mixed { parts; _ } -> List.iter pp_weighted parts
   | simple -> List.iter (pp_part pp_number ppf) (parts simple)
-
-(* The last part, which may be a mix of a million mixes, by a tail call. *)
-and pp_mix pp_number ppf = function
-  | [] -> ()
-  | (weight, surface) :: rest ->
-      Format.fprintf ppf " %a " pp_number weight;
-      if rest = [] then pp_with pp_number ppf surface
-      else (
-        pp_with pp_number ppf surface;
-        pp_mix pp_number ppf rest)
 
 let pp = pp_with Number.pp

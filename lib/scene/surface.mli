@@ -6,14 +6,18 @@ type t = private
   | Diffusive of Color.t  (** returns this part of the light that reaches it *)
   | Reflective  (** a perfect mirror *)
   | Luminous of Color.t  (** shows this colour, whatever the light *)
-  | Mixed of (float * t) list
-      (** the weighted sum of at least one surface; weights are taken as they
-          are, not brought to a sum of 1 *)
+  | Mixed of {
+      parts : (float * t) list;
+          (** at least one, each with its weight; weights are taken as they
+              are, not brought to a sum of 1 *)
+      nesting : int;
+          (** how deep mixes are nested: 1 without another among [parts] *)
+    }  (** the weighted sum of surfaces *)
 
 (** {1 Building}
 
     Raises [Invalid_argument] if a channel or a weight is negative or not
-    finite, or a mix is empty. *)
+    finite, or a mix is empty or nested too deep. *)
 
 val diffusive : Color.t -> t
 (** [diffusive color] is matt: it returns the part [color] of the light that
@@ -30,7 +34,12 @@ val mixed : (float * t) list -> t
 (** [mixed parts] is the mix of [parts], each a weight and a surface. A mix
     among them that is not the last is replaced by its own parts, with their
     weights multiplied by its weight: the scene language cannot write in any
-    other way, and the meaning is the same as far as doubles reach. *)
+    other way, and the meaning is the same as far as doubles reach. The last
+    one may be a mix again, and so on, {!max_nesting} deep. *)
+
+val max_nesting : int
+(** [max_nesting] is 1,000: mixes are not nested deeper, so that what follows
+    them down may recurse. *)
 
 (** {1 Meaning} *)
 

@@ -19,6 +19,9 @@ let texts =
       after_header ~start:ball "mixed 1 " ~stop:"mixed -1 reflective" );
     ( "nested mixes of two",
       after_header ~start:ball "mixed 1 diffusive red .5 " ~stop:"reflective" );
+    ( "a mix of many parts, as deep as may be",
+      after_header ~start:(ball ^ times "mixed 1 " 999 ^ "mixed")
+        " 1 luminous red" );
     ( "a mix of many parts",
       after_header ~start:(ball ^ "mixed") " 1 luminous red" );
     ( "many weights in error",

@@ -7,6 +7,9 @@ val result : string -> (Scene.t, Scene_error.t list) result
 (** [result text] is what {!Scene_file.parse} makes of [text], a file called
     [test.scene]. *)
 
+val show_errors : Scene_error.t list -> string
+(** [show_errors errors] is [errors] as they are printed. *)
+
 val scene : string -> Scene.t
 (** [scene text] is the scene in [text]; the test fails if there is an error.
 *)

@@ -43,6 +43,38 @@ let test_innermost () =
          );
        ])
 
+(* [nested ~start n] is, after [start], a mix nested [n] deep. *)
+let nested ?(start = "") n =
+  let mixes = String.concat "" (List.init n (fun _ -> "mixed 1 ")) in
+  Read.with_header ("sphere 0 0 6 1 " ^ start ^ mixes ^ "reflective")
+
+let test_deepest () =
+  let scene = Read.scene (nested Surface.max_nesting) in
+  Alcotest.check Same.scene "printed and read" scene
+    (Read.scene (Format.asprintf "%a" Raylab_language.Scene_file.print scene))
+
+(* What is wrong before is told as well, and what is in other objects. *)
+let test_too_deep () =
+  let messages text =
+    List.map
+      (fun e -> e.Raylab_language.Scene_error.message)
+      (Read.errors text)
+  in
+  let too_deep = "mixes are nested deeper than 1,000" in
+  Alcotest.(check (list string))
+    "one deeper" [ too_deep ]
+    (messages (nested (Surface.max_nesting + 1)));
+  Alcotest.(check (list string))
+    "other errors"
+    [
+      "the weight must not be negative, not -3";
+      too_deep;
+      "the radius must be greater than 0, not 0";
+    ]
+    (messages
+       (nested ~start:"mixed -3 reflective 2 " Surface.max_nesting
+       ^ " sphere 0 0 6 0 mixed 1 reflective"))
+
 let test_next_object () =
   Alcotest.(check (list Same.surface))
     "an object ends every mix"
@@ -60,4 +92,6 @@ let suite =
       Alcotest.test_case "flat" `Quick test_flat;
       Alcotest.test_case "innermost" `Quick test_innermost;
       Alcotest.test_case "next object" `Quick test_next_object;
+      Alcotest.test_case "the deepest" `Quick test_deepest;
+      Alcotest.test_case "too deep" `Quick test_too_deep;
     ] )

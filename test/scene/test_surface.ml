@@ -16,7 +16,7 @@ let test_inlined () =
   (* the last one stays: what follows a mix belongs to it *)
   let last = Surface.mixed [ (0.2, mirror); (0.4, glow) ] in
   match Surface.mixed [ (3., matt); (0.5, last) ] with
-  | Mixed [ (3., first); (0.5, second) ] ->
+  | Mixed { parts = [ (3., first); (0.5, second) ]; _ } ->
       check "before it" matt first;
       check "a late mix" last second
   | other -> Alcotest.failf "%a" Surface.pp other
@@ -32,6 +32,26 @@ let test_inlined_twice () =
          );
          (3., matt);
        ])
+
+let rec nested n surface =
+  if n = 0 then surface else nested (n - 1) (Surface.mixed [ (1., surface) ])
+
+let nesting = function Surface.Mixed { nesting; _ } -> nesting | _ -> 0
+
+let test_nesting () =
+  let deepest = nested Surface.max_nesting mirror in
+  let check what expected surface =
+    Alcotest.(check int) what expected (nesting surface)
+  in
+  check "none in it" 1 (Surface.mixed [ (1., mirror); (2., glow) ]);
+  check "two" 2 (Surface.mixed [ (1., matt); (2., nested 1 glow) ]);
+  check "the deepest" 1000 deepest;
+  check "an early one is inlined" 1
+    (Surface.mixed [ (1., deepest); (1., matt) ]);
+  check "in other colours" 1000 (Surface.map_colors Fun.id deepest);
+  Expect.invalid "deeper" (fun () -> Surface.mixed [ (1., deepest) ]);
+  Expect.invalid "after others" (fun () ->
+      Surface.mixed [ (1., matt); (1., deepest) ])
 
 let test_equal () =
   let differs what a b =
@@ -95,6 +115,7 @@ let suite =
     [
       Alcotest.test_case "early mixes are inlined" `Quick test_inlined;
       Alcotest.test_case "nested early mixes" `Quick test_inlined_twice;
+      Alcotest.test_case "nesting" `Quick test_nesting;
       Alcotest.test_case "equal" `Quick test_equal;
       Alcotest.test_case "invalid" `Quick test_invalid;
       Alcotest.test_case "map_colors" `Quick test_map_colors;
