@@ -69,8 +69,10 @@ let or_end = function
 
 let explain options () =
   check_svg options;
-  let scene = Options.adjust options.view (Command.load_scene options.scene) in
+  let written = Command.load_scene options.scene in
+  let scene = Options.adjust options.view written in
   List.iter (check_pixel scene.camera) options.pixels;
+  Options.warn options.view written;
   let prepared = Trace.prepare scene in
   let explained (x, y) = ((x, y), Explain.pixel prepared ~x ~y) in
   let pixels () = List.map explained options.pixels in

@@ -129,9 +129,11 @@ let render options () =
   let target = target options in
   let format = format options target in
   let source = Command.read_scene options.scene in
-  let scene = Options.adjust options.view (Command.parse_scene source) in
+  let written = Command.parse_scene source in
+  let scene = Options.adjust options.view written in
   check_rows options scene.camera;
   check_size format options scene.camera;
+  if not options.quiet then Options.warn options.view written;
   let band = band options source scene.camera in
   let progress = Progress.start ~quiet:options.quiet in
   let started = Unix.gettimeofday () in
@@ -204,7 +206,9 @@ let options show =
     in
     value & flag & info [ "stats" ] ~doc
   and quiet =
-    let doc = "Print neither progress nor where the picture went." in
+    let doc =
+      "Print neither progress nor warnings, nor where the picture went."
+    in
     value & flag & info [ "q"; "quiet" ] ~doc
   in
   let make scene view out domains rows show stats quiet =

@@ -84,9 +84,11 @@ let submit folder =
 let slurm options () =
   let format = check_out options in
   let source = Command.read_scene options.scene in
-  let scene = Options.adjust options.view (Command.parse_scene source) in
+  let written = Command.parse_scene source in
+  let scene = Options.adjust options.view written in
   check_bands options scene.camera;
   check_whole format scene.camera;
+  Options.warn options.view written;
   let folder = absolute (Filename.remove_extension options.out ^ ".slurm") in
   let job = job options scene.camera in
   or_write_error (Folder.write folder ~scene:(Source.text source) job);

@@ -19,13 +19,20 @@ let load options = Window.load options.scene ~adjust:(adjust options)
 
 let first options =
   if options.watch then
-    match load options () with
+    let adjust scene =
+      Options.warn options.view scene;
+      adjust options scene
+    in
+    match Window.load options.scene ~adjust () with
     | Ok scene -> View.Scene scene
     | Error message -> Error message
   else
-    let scene = adjust options (Command.load_scene options.scene) in
+    let written = Command.load_scene options.scene in
+    let scene = adjust options written in
     match Window.check_size scene with
-    | Ok () -> Scene scene
+    | Ok () ->
+        Options.warn options.view written;
+        Scene scene
     | Error message -> Command.write_error message
 
 let view options () =

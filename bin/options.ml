@@ -68,6 +68,20 @@ let adjust { size; grey } scene =
   | Some (width, height) ->
       Scene.with_camera (Camera.with_size ~width ~height scene.camera) scene
 
+let warn view { Scene.camera; _ } =
+  match view.size with
+  | None -> ()
+  | Some (width, height) -> (
+      let sized = Camera.with_size ~width ~height camera in
+      match Proportions.distortion sized with
+      | Some how when Proportions.distortion camera <> Some how ->
+          Command.say
+            "warning: --size %dx%d distorts the picture, which looks %s; \
+             %dx%d would not"
+            width height how width
+            (Proportions.fitting_height sized)
+      | _ -> ())
+
 let number_of_domains =
   let parse text =
     match natural text with

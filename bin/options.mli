@@ -17,6 +17,11 @@ val is_grey : view -> bool
 val arguments : view -> string list
 (** [arguments view] is how a command line says it. *)
 
+val warn : view -> Raylab_scene.Scene.t -> unit
+(** [warn view scene] says on standard error if the size that is asked for
+    distorts the picture of [scene], which {!adjust} has not yet changed, more
+    than its own size does. *)
+
 val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
 (** [adjust view scene] is [scene] as the options want it. *)
 

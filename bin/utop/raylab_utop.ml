@@ -9,7 +9,7 @@ let argument k =
 let load path =
   match Session.load path with
   | Ok scene ->
-      Tell.warnings path scene;
+      Tell.warnings ~path scene;
       true
   | Error errors ->
       Tell.errors errors;

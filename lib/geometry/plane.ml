@@ -33,6 +33,26 @@ let nearest { point = p; normal } (ray : Ray.t) =
   let n = (normal :> Vec3.t) in
   nearest_raw p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t)
 
+(* Nine digits, and nothing where only rounding errors are left. *)
+let rounded ~least x =
+  if Float.abs x < least then 0. else float_of_string (Printf.sprintf "%.9g" x)
+
+let place { point; normal } =
+  let n = (normal :> Vec3.t) in
+  let tiny = 1e-12 in
+  let numbers =
+    [|
+      rounded ~least:tiny n.x;
+      rounded ~least:tiny n.y;
+      rounded ~least:tiny n.z;
+      rounded ~least:(tiny *. Vec3.length point) (Vec3.dot n point);
+    |]
+  in
+  (* of the two normals the one whose first number is positive *)
+  match Array.find_opt (fun x -> x <> 0.) numbers with
+  | Some first when first < 0. -> Array.map (fun x -> 0. -. x) numbers
+  | _ -> numbers
+
 let pp ppf { point; normal } =
   Format.fprintf ppf "plane point %a normal %a" Vec3.pp point Direction.pp
     normal

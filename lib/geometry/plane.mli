@@ -32,5 +32,9 @@ val nearest_raw :
     (px, py, pz) with the unit normal (nx, ny, nz), for inner loops that keep
     planes as numbers. *)
 
+val place : t -> float array
+(** [place plane] is numbers that say where [plane] is, to about nine digits:
+    the same whichever of its points and normals it was made of. *)
+
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [plane point (0, -1, 0) normal (0, 1, 0)]. *)

@@ -26,6 +26,10 @@ let[@inline] normal_raw shape x y z =
   | Plane p -> p.normal
 
 let normal shape { Vec3.x; y; z } = normal_raw shape x y z
+
+let depth shape point =
+  match shape with Sphere s -> Sphere.depth s point | Plane _ -> neg_infinity
+
 let ball = function Sphere s -> Some s | Plane _ -> None
 
 (* {1 What is told} *)
@@ -40,5 +44,10 @@ let outline : t -> Outline.t = function
 let equal a b =
   let equal_part (_, a) (_, b) = Part.equal a b in
   name a = name b && List.equal equal_part (parts a) (parts b)
+
+(* The first number is the kind. *)
+let place = function
+  | Sphere { cx; cy; cz; radius } -> [| 0.; cx; cy; cz; radius |]
+  | Plane p -> Array.append [| 1. |] (Plane.place p)
 
 let pp ppf = function Sphere s -> Sphere.pp ppf s | Plane p -> Plane.pp ppf p

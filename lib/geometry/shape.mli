@@ -39,6 +39,11 @@ val normal : t -> Vec3.t -> Direction.t
 val normal_raw : t -> float -> float -> float -> Direction.t
 (** [normal_raw shape x y z] is {!normal} at (x, y, z), for inner loops. *)
 
+val depth : t -> Vec3.t -> float
+(** [depth shape point] is how far inside of [shape] [point] is, negative
+    outside; [neg_infinity] for a shape that is not closed. Each way from a
+    point inside to one outside hits [shape]. *)
+
 val ball : t -> Sphere.t option
 (** [ball shape] is a sphere that holds all of [shape], the smaller the better;
     [None] if there is none, since [shape] has no end. *)
@@ -58,6 +63,10 @@ val outline : t -> Outline.t
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are the same shape with the same
     numbers. *)
+
+val place : t -> float array
+(** [place shape] is numbers that are the same for shapes that fill the same
+    place, and, as far as about nine digits reach, for no others. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [sphere centre (0, 0, 6) radius 1] and

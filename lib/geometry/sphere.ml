@@ -57,6 +57,7 @@ let pp ppf s =
 
 let y_axis = Direction.of_vec3_exn (Vec3.make 0. 1. 0.)
 let normal s point = Direction.of_vec3_or y_axis (Vec3.sub point (centre s))
+let depth s point = s.radius -. Vec3.length (Vec3.sub point (centre s))
 
 let project s normal =
   Vec3.add (centre s) (Vec3.scale s.radius (normal : Direction.t :> Vec3.t))

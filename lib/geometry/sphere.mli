@@ -54,6 +54,10 @@ val normal : t -> Vec3.t -> Direction.t
     for a point of the sphere, the outward normal. The centre itself is given
     the direction of the y axis. *)
 
+val depth : t -> Vec3.t -> float
+(** [depth sphere point] is how far inside of [sphere] [point] is; negative
+    outside. *)
+
 val project : t -> Direction.t -> Vec3.t
 (** [project sphere normal] is the point of [sphere] whose outward normal is
     [normal]. *)

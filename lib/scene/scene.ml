@@ -57,15 +57,14 @@ let greyscale scene =
     objects = List.map grey_object scene.objects;
   }
 
-let distortion { Camera.width; height; canvas_width; canvas_height; _ } =
-  canvas_width /. canvas_height /. (float_of_int width /. float_of_int height)
-
 let warnings scene =
   let meaning (o : Object.t) = Surface.meaning o.surface in
   let some_object holds = List.exists holds scene.objects in
   let needs_light o = not (Color.equal (meaning o).albedo Color.black) in
   let mirrors o = (meaning o).mirror > 0. in
-  let stretch = distortion scene.camera in
+  let distorted how =
+    "canvas and picture differ in proportions: the picture looks " ^ how
+  in
   List.filter_map
     (fun (holds, warning) -> if holds () then Some warning else None)
     [
@@ -77,13 +76,12 @@ let warnings scene =
         "there is no light: diffusive surfaces are black" );
       ( (fun () -> scene.ray_depth = 1 && some_object mirrors),
         "raydepth is 1: mirrors show nothing but the background" );
-      ( (fun () -> stretch < 0.99 || stretch > 1.01),
-        Printf.sprintf
-          "canvas and picture differ in proportions: the picture looks %.3g \
-           times as %s as it should"
-          (if stretch < 1. then 1. /. stretch else stretch)
-          (if stretch < 1. then "wide" else "high") );
     ]
+  @ Option.to_list (Option.map distorted (Proportions.distortion scene.camera))
+  @ Byte_colors.warnings ~background:scene.background scene.lights
+      scene.objects
+  @ Kept_in.warnings scene.camera scene.lights scene.objects
+  @ Twins.warnings scene.objects
 
 let equal a b =
   Camera.equal a.camera b.camera

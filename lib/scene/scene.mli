@@ -67,8 +67,9 @@ val greyscale : t -> t
 
 val warnings : t -> string list
 (** [warnings scene] is what is allowed but hardly meant, a sentence each: no
-    object, light on nothing that needs it, a ray depth of 0, a picture that
-    distorts the canvas. *)
+    object, no light though a surface needs it, a ray depth of 0, a picture
+    that distorts the canvas, colours from 0 to 255, lights that a shape keeps
+    from all that is seen, objects in the same place. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are the same scene. Source lines do not

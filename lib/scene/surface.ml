@@ -115,6 +115,18 @@ let parts = function
   | Diffusive c | Luminous c -> [ ("color", Color c) ]
   | Reflective | Mixed _ -> []
 
+let rec add_colors found = function
+  | Mixed { parts; _ } ->
+      List.fold_left (fun found (_, part) -> add_colors found part) found parts
+  | simple ->
+      let add found = function
+        | _, Color c -> c :: found
+        | _, Number _ -> found
+      in
+      List.fold_left add found (parts simple)
+
+let colors surface = List.rev (add_colors [] surface)
+
 let pp_part pp_number ppf = function
   | _, Number x -> Format.fprintf ppf " %a" pp_number x
   | _, Color { Color.r; g; b } ->

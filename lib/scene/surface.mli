@@ -92,6 +92,10 @@ val parts : t -> (string * part) list
     order, each part with its name; nothing for a mix, whose parts are
     surfaces. *)
 
+val colors : t -> Color.t list
+(** [colors surface] is all colours that are written in [surface], in their
+    order. *)
+
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are written alike, number for number. *)
 

@@ -41,13 +41,16 @@ let help () =
 (* {1 The scene} *)
 
 let scene = Session.scene
-let use = Session.use
+
+let use scene =
+  Session.use scene;
+  Tell.warnings scene
 
 let load path =
   match Session.load path with
   | Ok scene ->
       Tell.contents path scene;
-      Tell.warnings path scene
+      Tell.warnings ~path scene
   | Error errors -> Tell.errors errors
 
 (* {1 One ray} *)

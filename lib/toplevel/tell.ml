@@ -4,10 +4,11 @@ open Raylab_explanation
 
 let errors = List.iter (Format.eprintf "%a@." Scene_error.pp)
 
-let warnings path scene =
-  List.iter
-    (Format.eprintf "%s: warning: %s@." (Source.printable path))
-    (Scene.warnings scene)
+let warnings ?path scene =
+  let file =
+    Option.fold ~none:"" ~some:(fun path -> Source.printable path ^ ": ") path
+  in
+  List.iter (Format.eprintf "%swarning: %s@." file) (Scene.warnings scene)
 
 let count list noun =
   let n = List.length list in

@@ -34,6 +34,25 @@ Warnings leave the scene as good as it was.
   unlit.scene: warning: there is no light: diffusive surfaces are black
   unlit.scene: warning: canvas and picture differ in proportions: the picture looks 1.33 times as high as it should
 
+What is wrong with lights, colours and planes is told with their lines.
+
+  $ cat > hardly.scene <<'END'
+  > imWidth 40 imHeight 30 canvWidth 4 canvHeight 3 depth 4
+  > lights
+  > spherical 5 255 128 0  0 0 6
+  > spherical 5 white      0 3 6
+  > objects
+  > plane 0 -2 0  0 1 0    diffusive 200 180 140
+  > plane 5 -2 0  0 -3 0   reflective
+  > sphere 0 0 6  1        luminous white
+  > END
+  $ raylab check hardly.scene
+  hardly.scene: warning: light 1 has the colour 255 128 0, which looks like 0 to 255; from 0 to 1 it is 1 0.502 0 (line 3)
+  hardly.scene: warning: plane 1 has the colour 200 180 140, which looks like 0 to 255; from 0 to 1 it is 0.784 0.706 0.549 (line 6)
+  hardly.scene: warning: light 1 is inside sphere 3, which keeps its light in (lines 3 and 8)
+  hardly.scene: warning: plane 2 is where plane 1 is: they hide each other (lines 6 and 7)
+  $ rm hardly.scene
+
 Several scenes, each of which is read: one in error is enough for exit status 1.
 
   $ raylab check good.scene broken.scene missing.scene unlit.scene good.scene 2>&1 |
@@ -167,7 +186,7 @@ Bytes that are no text, and a scene that is no file:
 
   $ head -c 2000 /dev/zero > zero.scene
   $ raylab check zero.scene 2>&1 | head -n 1 | cut -c 1-44
-  zero.scene:1:1-2000: error: unknown keyword 
+  zero.scene:1:1: error: U+0000, a NUL, is not
   $ mkdir dir.scene
   $ raylab check dir.scene
   dir.scene: error: Is a directory

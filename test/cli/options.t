@@ -32,6 +32,24 @@ two walls, a sun and its shadow.
   $ raylab render mirror.scene -q --size 7X5 -o also.ppm
   $ cmp small.ppm also.ppm
 
+A size that distorts the picture is told, unless the scene's own does it as much,
+whole pixels come no nearer, or nothing is to be told.
+
+  $ for size in 60x80 600x400 6x4 7x5; do
+  >   raylab render mirror.scene --size $size -o small.ppm 2>&1 | grep -v wrote
+  > done
+  raylab: warning: --size 60x80 distorts the picture, which looks 2 times as high as it should; 60x40 would not
+  [1]
+  $ raylab explain mirror.scene --size 60x80 0,0 2>&1 > out | head -n 1
+  raylab: warning: --size 60x80 distorts the picture, which looks 2 times as high as it should; 60x40 would not
+  $ raylab slurm mirror.scene --size 60x80 --bands 2 -o job.png 2>&1 | head -n 1
+  raylab: warning: --size 60x80 distorts the picture, which looks 2 times as high as it should; 60x40 would not
+  $ rm -r out job.slurm
+  $ sed 's/imWidth 60   imHeight 40/imWidth 60 imHeight 80/' mirror.scene > high.scene
+  $ raylab render high.scene --size 120x160 -o small.ppm
+  raylab: wrote small.ppm
+  $ raylab render mirror.scene --size 7x5 -q -o small.ppm
+
 It is what the scene would show if it said so itself.
 
   $ sed 's/imWidth 60   imHeight 40/imWidth 7 imHeight 5/' mirror.scene > small.scene

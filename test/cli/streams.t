@@ -58,7 +58,7 @@ A file can be called "-".
 A reader that does not want all of the picture ends the run with an error, not
 with a signal. The picture must be larger than what a pipe holds.
 
-  $ { raylab render sky.scene --size 640x480 -o - 2> err; echo $? > code; } |
+  $ { raylab render sky.scene --size 640x320 -o - 2> err; echo $? > code; } |
   >   head -c 1
   B
   $ cat code err
@@ -74,7 +74,7 @@ tell all the same.
   $ raylab render sky.scene -o - > /dev/full
   raylab: standard output: No space left on device
   [2]
-  $ raylab render sky.scene --size 640x480 -o - > /dev/full
+  $ raylab render sky.scene --size 640x320 -o - > /dev/full
   raylab: standard output: No space left on device
   [2]
   $ raylab --version > /dev/full

@@ -244,7 +244,7 @@ Help and version go to standard output. A version is no place-holder.
              replaced.
   
          -q, --quiet
-             Print neither progress nor where the picture went.
+             Print neither progress nor warnings, nor where the picture went.
   
          --rows=A-B
              Render only rows A-B, both included, counted from 0 at the top.
@@ -335,7 +335,7 @@ Help and version go to standard output. A version is no place-holder.
              replaced.
   
          -q, --quiet
-             Print neither progress nor where the picture went.
+             Print neither progress nor warnings, nor where the picture went.
   
          --rows=A-B
              Render only rows A-B, both included, counted from 0 at the top.

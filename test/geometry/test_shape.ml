@@ -29,6 +29,35 @@ let test_plane () =
   Expect.invalid "zero normal" (fun () ->
       Shape.plane ~point:Vec3.zero ~normal:Vec3.zero)
 
+let test_depth () =
+  let check what expected shape (x, y, z) =
+    Alcotest.check (Same.near 1e-14) what expected
+      (Shape.depth shape (v x y z))
+  in
+  check "centre" 1. ball (0., 0., 6.);
+  check "inside" 0.25 ball (0., 0.75, 6.);
+  check "on the ball" 0. ball (0., 0., 7.);
+  check "outside" (-2.) ball (0., 0., 9.);
+  check "a plane is not closed" neg_infinity floor (5., -4., 5.)
+
+let test_place () =
+  let check what expected a b =
+    Alcotest.(check bool) what expected (Shape.place a = Shape.place b)
+  in
+  let plane (x, y, z) normal = Shape.plane ~point:(v x y z) ~normal in
+  check "another point and normal" true floor
+    (plane (3., -1., 2.) (v 0. (-0.5) 0.));
+  check "a tilted plane" true
+    (plane (1., 0., 0.) (v 1. 1. 1.))
+    (plane (0., 0.5, 0.5) (v (-2.) (-2.) (-2.)));
+  check "through the origin" true
+    (plane (0., 0., 0.) (v 1. (-1.) 0.))
+    (plane (0.3, 0.3, 7.) (v (-1.) 1. 0.));
+  check "the other side" false floor (plane (0., 1., 0.) (v 0. 1. 0.));
+  check "a ball" false ball floor;
+  check "another ball" false ball
+    (Shape.sphere ~centre:(v 0. 0. 6.) ~radius:1.5)
+
 let test_equal () =
   let differs what other =
     Alcotest.(check bool) what false (Shape.equal ball other)
@@ -83,6 +112,8 @@ let suite =
     [
       Alcotest.test_case "sphere" `Quick test_sphere;
       Alcotest.test_case "plane" `Quick test_plane;
+      Alcotest.test_case "depth" `Quick test_depth;
+      Alcotest.test_case "place" `Quick test_place;
       Alcotest.test_case "equal" `Quick test_equal;
       Alcotest.test_case "parts" `Quick test_parts;
       ball_holds;

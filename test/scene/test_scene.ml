@@ -12,4 +12,8 @@ let () =
       Test_camera.suite;
       Test_scenes.suite;
       Test_warnings.suite;
+      Test_proportions.suite;
+      Test_byte_colors.suite;
+      Test_kept_in.suite;
+      Test_twins.suite;
     ]

@@ -13,7 +13,7 @@ let check what parts scene =
     parts
 
 let matt = sphere (v 0. 0. 6.) 1. (Surface.diffusive Color.white)
-let mirror = sphere (v 0. 0. 6.) 1. Surface.reflective
+let mirror = sphere (v 3. 0. 6.) 1. Surface.reflective
 let glow = sphere (v 0. 0. 6.) 1. (Surface.luminous Color.white)
 
 let bulb =

@@ -149,6 +149,7 @@ More bands than this Slurm takes
 --------------------------------
 
   $ raylab slurm picture.scene -o e.ppm --size 3x1500 --bands 1500 --submit
+  raylab: warning: --size 3x1500 distorts the picture, which looks 750 times as high as it should; 3x2 would not
   This cluster takes at most 1000 bands (its MaxArraySize is 1001), not 1500. Remove $TESTCASE_ROOT/e.slurm and make the job with fewer.
   raylab: $TESTCASE_ROOT/e.slurm/submit has failed; it may be run again
   [2]

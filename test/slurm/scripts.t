@@ -5,6 +5,7 @@ What "raylab slurm" writes. ./cluster.t runs it on a real Slurm.
   > bcolor 0.2 0.4 0.6
   > EOF
   $ raylab slurm sky.scene -o sky.png --bands 4 --size 6x10 --grey -j 2
+  raylab: warning: --size 6x10 distorts the picture, which looks 2.22 times as high as it should; 6x5 would not
   raylab: wrote $TESTCASE_ROOT/sky.slurm; to submit it, run $TESTCASE_ROOT/sky.slurm/submit
   $ ls sky.slurm
   bands
@@ -200,6 +201,7 @@ Here sbatch only says what it is asked for.
 What is missing is named in ranges, however many bands there are.
 
   $ raylab slurm sky.scene -o many.bmp --bands 60000 --size 1x60000 --submit
+  raylab: warning: --size 1x60000 distorts the picture, which looks 8e+04 times as high as it should; 1x1 would not
   sbatch --parsable --array=1-60000 bands.sbatch
   job 17 renders bands 1-60000
   sbatch --parsable --dependency=afterany:17 join.sbatch
@@ -251,6 +253,7 @@ A folder belongs to one job. Its scripts may be edited.
   raylab: $TESTCASE_ROOT/new.slurm/picture.scene is of another job, or was edited. Run $TESTCASE_ROOT/new.slurm/submit to go on with that job, or remove $TESTCASE_ROOT/new.slurm to start anew
   [2]
   $ raylab slurm sky.scene -o sky.png --bands 4 --size 6x10 --grey -j 2
+  raylab: warning: --size 6x10 distorts the picture, which looks 2.22 times as high as it should; 6x5 would not
   raylab: $TESTCASE_ROOT/sky.slurm/picture.scene is of another job, or was edited. Run $TESTCASE_ROOT/sky.slurm/submit to go on with that job, or remove $TESTCASE_ROOT/sky.slurm to start anew
   [2]
 

@@ -195,6 +195,7 @@ Steps go on and back.
   Exception: Invalid_argument "that was the last step; back () goes back".
   $ say 'steps (primary 0 0);; use empty;; next ()'
   - : Event.t Seq.t = 4 steps
+  warning: there is no object: the picture is all background
   - : unit = ()
   Exception:
   Invalid_argument "there are no steps yet: say steps (primary X Y) first".
@@ -228,6 +229,12 @@ the scene as it was.
   missing.scene: error: No such file or directory
   - : unit = ()
   - : Camera.t = 5 x 5 pixels through a canvas of 4 x 4 from (0, 0, -4)
+
+"use" warns as well, of a scene that no file has.
+
+  $ say 'use (Scene.make camera)' 2>&1
+  warning: there is no object: the picture is all background
+  - : unit = ()
 
 A scene made of values is the one that a file says, and can be seen.
 
@@ -282,6 +289,7 @@ program rendered it or the prompt itself.
     object 1: plane point (0, -3, 0) normal (0, 1, 0), reflective
     object 2: plane point (0, 0, 20) normal (0, 0, 1), luminous 1 0.5 0
     object 3: sphere centre (0, 0, 2) radius 1, diffusive 1 1 1
+  warning: canvas and picture differ in proportions: the picture looks 2.33 times as wide as it should
   - : unit = ()
   - : bool = true
   wrote s.bmp
@@ -307,6 +315,8 @@ What cannot be written, or not rendered:
   $ say 'save "missing/s.bmp"'
   Exception: Sys_error "missing/s.bmp: No such file or directory".
   $ say 'use (Scene.make (Camera.with_size ~width:2000000000 ~height:9 camera));; render ()'
+  warning: there is no object: the picture is all background
+  warning: canvas and picture differ in proportions: the picture looks 1.67e+08 times as wide as it should
   - : unit = ()
   Exception:
   Sys_error

@@ -43,6 +43,20 @@ let grey_stays_grey =
         (fun (c : Color.t) -> c.r = c.g && c.g = c.b)
         (pixels (Scene.greyscale scene)))
 
+(* What a warning says is so: such a light adds nothing to any pixel. *)
+let kept_in_gives_nothing =
+  let with_lights lights { Scene.camera; background; ray_depth; objects; _ } =
+    Scene.make camera ~background ~ray_depth ~lights ~objects
+  in
+  Property.holds "a light that is kept in gives nothing" ~count:2000 ~print
+    (Generate.scene ~max_side:6 Generate.everyday) (fun scene ->
+      let dark = pixels (with_lights [] scene) in
+      let gives_nothing light =
+        Kept_in.warnings scene.camera [ light ] scene.objects = []
+        || Seq.equal Color.equal dark (pixels (with_lights [ light ] scene))
+      in
+      List.for_all gives_nothing scene.lights)
+
 (* The first of the objects that are hit at the least distance. *)
 let nearest_object (scene : Scene.t) ray =
   let nearer (best, limit) (o : Object.t) =
@@ -89,4 +103,5 @@ let suite =
       grey_stays_grey;
       triple;
       quick_is_no_other;
+      kept_in_gives_nothing;
     ] )

@@ -1,0 +1,35 @@
+let looks_so { Color.r; g; b } =
+  let is_byte x = Float.is_integer x && x <= 255. in
+  is_byte r && is_byte g && is_byte b && Float.max r (Float.max g b) >= 100.
+
+let numbers format { Color.r; g; b } =
+  String.concat " " (List.map (Format.asprintf format) [ r; g; b ])
+
+type named = { name : string; color : Color.t; line : int option }
+
+let tell { name; color; line } =
+  Printf.sprintf
+    "%s has the colour %s, which looks like 0 to 255; from 0 to 1 it is %s"
+    name (numbers "%g" color)
+    (numbers "%.3g" (Color.scale (1. /. 255.) color))
+  |> Warning.at [ line ]
+
+let of_light k (light : Light.t) =
+  let { Light.color; line; _ } = light in
+  if looks_so color then
+    Some { name = Printf.sprintf "light %d" (k + 1); color; line }
+  else None
+
+let of_object k (o : Object.t) =
+  let named color = { name = Warning.name (k + 1) o; color; line = o.line } in
+  List.map named (List.filter looks_so (Surface.colors o.surface))
+
+let of_background color =
+  if looks_so color then [ { name = "the background"; color; line = None } ]
+  else []
+
+let warnings ~background lights objects =
+  of_background background
+  @ List.filter_map Fun.id (List.mapi of_light lights)
+  @ List.concat (List.mapi of_object objects)
+  |> Warning.few "colour" tell

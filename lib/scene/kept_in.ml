@@ -1,0 +1,59 @@
+open Raylab_geometry
+
+type side = Inside | Outside | Between
+
+(* Ten times as far as rays start off a surface of usual size. *)
+let margin camera (point : Vec3.t) =
+  (1e-4 *. Camera.scale camera) +. (1e-12 *. Vec3.length point)
+
+let side camera (o : Object.t) point =
+  let depth = Shape.depth o.shape point and margin = margin camera point in
+  (* neither for NaN *)
+  if depth > margin then Inside
+  else if depth < -.margin then Outside
+  else Between
+
+let light_side camera o (light : Light.t) =
+  match light.source with
+  | Spherical position -> side camera o position
+  | Directional _ -> Outside
+
+type kept = {
+  number : int;
+  light : Light.t;
+  by : int;  (** the number of the object *)
+  o : Object.t;
+  eye : side;
+}
+
+let tell { number; light; by; o; eye } =
+  let name = Warning.name by o in
+  Warning.at [ light.line; o.line ]
+    (if eye = Inside then
+       Printf.sprintf
+         "light %d is outside of %s, in which the eye is, and which keeps its \
+          light out"
+         number name
+     else
+       Printf.sprintf "light %d is inside %s, which keeps its light in" number
+         name)
+
+(* Pairs of a light and an object that are looked at: some hundredths of a
+   second. *)
+let most_pairs = 10_000_000
+
+let warnings camera lights objects =
+  let eye = Camera.eye camera in
+  let sides = List.mapi (fun k o -> (k + 1, o, side camera o eye)) objects in
+  let looked_at = Int.max 1 (most_pairs / Int.max 1 (List.length objects)) in
+  let kept_in k light =
+    let keeps (by, o, eye) =
+      match (eye, light_side camera o light) with
+      | Inside, Outside | Outside, Inside ->
+          Some { number = k + 1; light; by; o; eye }
+      | _ -> None
+    in
+    if k < looked_at then List.find_map keeps sides else None
+  in
+  List.mapi kept_in lights |> List.filter_map Fun.id
+  |> Warning.few "light" tell
