@@ -21,8 +21,15 @@ let or_write_error = function
 (* {1 What is asked for} *)
 
 let absolute path =
-  if Filename.is_relative path then Filename.concat (Sys.getcwd ()) path
-  else path
+  if not (Filename.is_relative path) then path
+  else
+    match Sys.getcwd () with
+    | here -> Filename.concat here path
+    | exception Sys_error reason ->
+        Command.write_error
+          (Printf.sprintf
+             "%s is relative to the current folder, which cannot be found: %s"
+             path reason)
 
 let check_out options =
   match options.out with
@@ -46,14 +53,14 @@ let check_bands options { Camera.width; height; _ } =
 let check_whole format { Camera.width; height; _ } =
   or_write_error (Join.check_size format ~width ~height)
 
-let job options { Camera.height; _ } =
+let job options ~out { Camera.height; _ } =
   {
     Job.raylab = Sys.executable_name;
     view = Options.arguments options.view;
     height;
     bands = options.bands;
     cores = options.cores;
-    out = absolute options.out;
+    out;
   }
 
 (* {1 Submitting} *)
@@ -89,8 +96,9 @@ let slurm options () =
   check_bands options scene.camera;
   check_whole format scene.camera;
   Options.warn options.view written;
-  let folder = absolute (Filename.remove_extension options.out ^ ".slurm") in
-  let job = job options scene.camera in
+  let out = absolute options.out in
+  let folder = Filename.remove_extension out ^ ".slurm" in
+  let job = job options ~out scene.camera in
   or_write_error (Folder.write folder ~scene:(Source.text source) job);
   if options.submit then submit folder
   else

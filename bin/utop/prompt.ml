@@ -22,11 +22,20 @@ let warm_up () =
   let nowhere = Format.make_formatter (fun _ _ _ -> ()) ignore in
   ignore (Toploop.use_input nowhere (String "()") : bool)
 
+(* In scripts, and in the files of #use. *)
+let skip_marks () =
+  let parse = !Toploop.parse_use_file in
+  Toploop.parse_use_file :=
+    fun lexbuf ->
+      Mark.skip lexbuf;
+      parse lexbuf
+
 let prepare () =
   Format.set_margin 80;
   Compmisc.init_path ();
   Toploop.initialize_toplevel_env ();
   install_printers ();
+  skip_marks ();
   warm_up ()
 
 let script path =
@@ -56,13 +65,17 @@ let terminal ~greeting =
 
 (* {1 No terminal} *)
 
-(* [reader ()] gives the toplevel a line at a time, and at the end of the input,
-   which ends the last phrase, one more. *)
+(* [reader ()] gives the toplevel a line at a time, the first without a mark, and
+   at the end of the input, which ends the last phrase, one more. *)
 let reader () =
   let rest = ref "" in
+  let started = ref false in
   let ended = ref false in
   let read_line () =
     match In_channel.input_line stdin with
+    | Some line when not !started ->
+        started := true;
+        Mark.without line ^ "\n"
     | Some line -> line ^ "\n"
     | None when !ended -> exit 0
     | None ->

@@ -151,6 +151,52 @@ Some rows of it are not too large, nor is a smaller size.
   $ tail -c 9 row.ppm | wc -c
   9
 
+In a folder that is gone
+------------------------
+
+What is relative to it cannot be found, and all else is as ever.
+
+  $ top=$PWD
+  $ in_gone () {
+  >   mkdir "$top/gone" && cd "$top/gone" && rmdir "$top/gone"
+  >   raylab "$@"; code=$?; cd "$top"; return $code
+  > }
+  $ in_gone slurm "$top/sky.scene" -o sky.png --bands 2
+  raylab: sky.png is relative to the current folder, which cannot be found: No such file or directory
+  [2]
+  $ in_gone slurm "$top/sky.scene" -o "$top/sky.png" --bands 2 2> /dev/null
+  $ ls sky.slurm
+  bands
+  bands.sbatch
+  join.sbatch
+  log
+  picture.scene
+  submit
+  $ rm -r sky.slurm
+  $ in_gone render "$top/sky.scene" -o sky.png
+  raylab: sky.png: No such file or directory
+  [2]
+  $ in_gone explain "$top/sky.scene" 0,0 --svg path.svg
+  raylab: path.svg: No such file or directory
+  [2]
+  $ in_gone check sky.scene
+  sky.scene: error: No such file or directory
+  [1]
+  $ in_gone join a.ppm -o b.ppm
+  raylab: a.ppm: No such file or directory
+  [1]
+  $ in_gone repl "$top/sky.scene" script.ml
+  Cannot find file script.ml.
+  [2]
+  $ in_gone render "$top/sky.scene" -q -o "$top/here.png" && rm here.png
+  $ in_gone explain "$top/sky.scene" 0,0 | head -n 1
+  pixel (0, 0) is rgb 51 102 153: the blue background, since the ray hits
+  $ in_gone check "$top/sky.scene"
+  $ echo 'why 0 0;; save "s.png"' | in_gone repl "$top/sky.scene"
+  pixel (0, 0) is rgb 51 102 153: the blue background, since the ray hits nothing
+  - : unit = ()
+  Exception: Sys_error "s.png: No such file or directory".
+
 Interrupted
 -----------
 

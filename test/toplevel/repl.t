@@ -355,6 +355,32 @@ A script prints only what it says; its end is the program's.
   Error: This constant has type "string" but an expression was expected of type
            "int"
   [2]
+
+Editors may begin one with a byte-order mark, or a file for #use, or what is piped
+in; it makes no difference to the places of errors. Another encoding is named.
+
+  $ printf '\357\273\277print_endline "hello";; 1 + "one"' > marked.ml
+  $ raylab repl three.scene marked.ml
+  hello
+  File "marked.ml", line 1, characters 28-33:
+  1 | print_endline "hello";; 1 + "one"
+                                  ^^^^^
+  Error: This constant has type "string" but an expression was expected of type
+           "int"
+  [2]
+  $ echo '#use "marked.ml"' | raylab repl three.scene 2>&1
+  hello
+  - : unit = ()
+  File "marked.ml", line 1, characters 28-33:
+  1 | print_endline "hello";; 1 + "one"
+                                  ^^^^^
+  Error: This constant has type "string" but an expression was expected of type "int"
+  $ printf '\357\273\2771 + 1;;' | raylab repl three.scene
+  - : int = 2
+  $ printf '\377\3761\000' > utf16.ml
+  $ raylab repl three.scene utf16.ml 2>&1 | tail -n 1
+  Error: The text is UTF-16. Save it as UTF-8.
+
   $ script 'print_endline Sys.argv.(0); assert (Array.length Sys.argv = 1)'
   script.ml
   $ script 'print_endline (read_line ())' < help
