@@ -5,7 +5,6 @@ open Raylab_language
 open Raylab_tracer
 open Raylab_picture
 open Raylab_band
-open Raylab_window
 
 (* Whether a window opens afterwards. *)
 type show = Never | If_there_is_a_display | Asked_for
@@ -115,8 +114,7 @@ let show options target scene picture ~seconds =
       else Window.load options.scene ~adjust:(Options.adjust options.view) ()
     in
     match
-      View.run ~on_loss:Window.on_loss ?domains:options.domains
-        ?rows:options.rows ~terminal:(Window.terminal output)
+      Window.show ?domains:options.domains ?rows:options.rows ~output
         (Window.source options.scene ~load)
         (Rendered { scene; picture; seconds })
     with
@@ -142,8 +140,11 @@ let render options () =
   in
   let ready = Trace.prepare ~domains scene in
   let picture, tally =
-    Render.picture ~domains ?rows:options.rows
-      ~on_progress:(Progress.update progress) ready
+    Signals.cleaning
+      (fun () -> Progress.leave progress)
+      (fun () ->
+        Render.picture ~domains ?rows:options.rows
+          ~on_progress:(Progress.update progress) ready)
   in
   let seconds = Unix.gettimeofday () -. started in
   Progress.clear progress;

@@ -64,7 +64,9 @@ let cmd =
       `P
         "If $(i,SCENE) is in error that is reported, and the prompt comes up \
          with an empty scene. Without a terminal, what comes from standard \
-         input is evaluated, and the values are printed.";
+         input is evaluated, and the values are printed. On a terminal that \
+         obeys no escape codes, with $(b,TERM) missing or $(b,dumb), the \
+         prompt is a plain one, without editing, completion and history.";
       `P
         "Pictures are rendered as fast as by $(b,raylab render), for it is \
          what renders them.";

@@ -56,8 +56,7 @@ let view options () =
     | _ -> load options ()
   in
   match
-    View.run ~on_loss:Window.on_loss ?domains:options.domains ?watch
-      ~terminal:(Window.terminal stdout)
+    Window.show ?domains:options.domains ?watch ~output:stdout
       (Window.source ?out:options.out path ~load)
       first
   with

@@ -49,16 +49,6 @@ let program, argv =
       (program render, Array.of_list (name :: Cmd.name render :: first :: rest))
   | arguments -> (program Cmd_render.cmd, Array.of_list arguments)
 
-let remove_temporary_files () =
-  let remove path = try Sys.remove path with Sys_error _ -> () in
-  List.iter remove (Raylab_picture.Atomic_file.temporary ())
-
-(* Ends at once, whatever the other domains are at, and leaves no file behind.
-   The handler of another signal may raise in here: a window's tick does. *)
-let end_by_signal code _ =
-  (try remove_temporary_files () with _ -> ());
-  Unix._exit code
-
 (* What is opened first would take the place of a standard stream that is
    closed: a window would get what is printed. Here one cannot be written to,
    or read, as before. *)
@@ -93,12 +83,4 @@ let () =
   hold_places ();
   (* a reader that goes away is an error of writing, told as one *)
   Sys.set_signal Sys.sigpipe Signal_ignore;
-  List.iter
-    (fun (signal, code) ->
-      Sys.set_signal signal (Signal_handle (end_by_signal code)))
-    [
-      (Sys.sigint, Exit_code.interrupted);
-      (Sys.sighup, Exit_code.hung_up);
-      (Sys.sigterm, Exit_code.terminated);
-    ];
-  exit (evaluate ())
+  exit (Signals.cleaning Output.remove_temporary_files evaluate)

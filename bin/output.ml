@@ -10,3 +10,7 @@ let format path ~inputs ~named =
   match Picture_file.format_of_path path with
   | Ok format -> format
   | Error message -> Command.usage_error "%s" message
+
+let remove_temporary_files () =
+  let remove path = try Sys.remove path with Sys_error _ -> () in
+  List.iter remove (Atomic_file.temporary ())

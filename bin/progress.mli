@@ -13,3 +13,7 @@ val update : t -> float -> unit
 
 val clear : t -> unit
 (** [clear line] takes the line from the terminal. *)
+
+val leave : t -> unit
+(** [leave line] ends the line as it stands, for a program that ends now; it
+    waits for nobody. *)

@@ -40,6 +40,14 @@ let source ?out path ~load =
     | None -> save (Output.beside path)
   in
   let name = if path = "-" then "standard input" else Filename.basename path in
+  let save picture =
+    Signals.cleaning Output.remove_temporary_files (fun () -> save picture)
+  in
   { Session.name; load; save }
 
 let on_loss () = Unix._exit Exit_code.ok
+
+let show ?domains ?rows ?watch ~output source first =
+  Signals.at_once (fun () ->
+      View.run ~on_loss ?domains ?rows ?watch ~terminal:(terminal output)
+        source first)

@@ -1,14 +1,8 @@
 (** What the sub-commands that open a window share. *)
 
 open Raylab_scene
+open Raylab_tracer
 open Raylab_window
-
-val terminal : out_channel -> Terminal.t
-(** [terminal channel] writes what was asked for to [channel] and messages to
-    standard error. *)
-
-val tell : string -> unit
-(** [tell text] prints lines on standard error. *)
 
 val check_size : Scene.t -> (unit, string) result
 (** [check_size scene] is whether its picture fits into memory, or a message
@@ -27,6 +21,15 @@ val source :
 (** [source ~out path ~load] loads the scene by [load], and saves the picture
     to [out], by default beside [path] as BMP. *)
 
-val on_loss : unit -> 'a
-(** [on_loss ()] ends the program at once, successfully: the user has closed
-    the window. *)
+val show :
+  ?domains:int ->
+  ?rows:Render.rows ->
+  ?watch:Watch.t ->
+  output:out_channel ->
+  Session.source ->
+  View.first ->
+  (unit, string) result
+(** [show ~output source first] is {!Raylab_window.View.run}, with what was
+    asked for on [output] and messages on standard error. A signal ends the
+    program at once, also while the display does not answer; if the user takes
+    the window away, or the display is lost, the program ends successfully. *)

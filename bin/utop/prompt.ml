@@ -38,10 +38,33 @@ let prepare () =
   skip_marks ();
   warm_up ()
 
+(* {1 Ctrl-C where nobody types}
+
+   What is under way ends as by any exception, and cleans up. Then the program
+   dies of the signal, as a loop of the shell that runs it expects. *)
+
+let note_ctrl_c interrupted =
+  let handle _ =
+    interrupted := true;
+    raise Sys.Break
+  in
+  match Sys.signal Sys.sigint (Signal_handle handle) with
+  | Signal_ignore -> Sys.set_signal Sys.sigint Signal_ignore
+  | _ -> ()
+
+let die_if interrupted =
+  if !interrupted then (
+    Sys.set_signal Sys.sigint Signal_default;
+    Unix.kill (Unix.getpid ()) Sys.sigint)
+
 let script path =
   Sys.interactive := false;
   Toploop.override_sys_argv [| path |];
-  if Toploop.use_silently Format.err_formatter (File path) then 0 else 2
+  let interrupted = ref false in
+  note_ctrl_c interrupted;
+  let ended_well = Toploop.use_silently Format.err_formatter (File path) in
+  die_if interrupted;
+  if ended_well then 0 else 2
 
 (* {1 utop} *)
 
@@ -63,36 +86,53 @@ let terminal ~greeting =
   Toploop.override_sys_argv [| Sys.executable_name |];
   UTop_main.main ()
 
-(* {1 No terminal} *)
+(* {1 Without a line editor} *)
 
-(* [reader ()] gives the toplevel a line at a time, the first without a mark, and
-   at the end of the input, which ends the last phrase, one more. *)
-let reader () =
+(* with which the toplevel asks for a phrase, not for a further line of it *)
+let first_prompt = "# "
+
+(* [reader ~ask] gives the toplevel a line at a time, which it may [ask] for, the
+   first without a mark, and at the end of the input, which ends a phrase that was
+   begun, one more. *)
+let reader ~ask =
   let rest = ref "" in
   let started = ref false in
-  let ended = ref false in
-  let read_line () =
+  let read_line prompt =
     match In_channel.input_line stdin with
     | Some line when not !started ->
         started := true;
         Mark.without line ^ "\n"
     | Some line -> line ^ "\n"
-    | None when !ended -> exit 0
-    | None ->
-        ended := true;
-        ";;\n"
+    | None when prompt = first_prompt -> exit 0
+    | None -> ";;\n"
   in
-  fun _prompt buffer length ->
-    if !rest = "" then rest := read_line ();
+  fun prompt buffer length ->
+    if !rest = "" then (
+      ask prompt;
+      rest := read_line prompt);
     let count = Int.min length (String.length !rest) in
     Bytes.blit_string !rest 0 buffer 0 count;
     rest := String.sub !rest count (String.length !rest - count);
     (count, false)
 
-let standard_input () =
+let loop ~ask =
   Clflags.noversion := true;
   Clflags.noinit := true;
-  Toploop.read_interactive_input := reader ();
+  Toploop.read_interactive_input := reader ~ask;
   match Toploop.loop Format.std_formatter with
   | () -> exit 0
   | exception Compenv.Exit_with_status status -> exit status
+
+let standard_input () =
+  let interrupted = ref false in
+  loop ~ask:(fun _ ->
+      die_if interrupted;
+      (* the loop began with a handler of its own *)
+      note_ctrl_c interrupted)
+
+let plain_terminal ~greeting =
+  greeting ();
+  at_exit print_newline;
+  loop ~ask:(fun prompt ->
+      print_string (if prompt = first_prompt then "raylab # " else prompt);
+      flush stdout)

@@ -33,6 +33,16 @@ let flush_or_tell () =
     prerr_endline ("raylab: standard output: " ^ reason);
     Unix._exit 2
 
+let prompt scene =
+  let is_terminal = Unix.isatty Unix.stdin && Unix.isatty Unix.stdout
+  and greeting = greeting scene in
+  match Sys.getenv_opt "TERM" with
+  | _ when not is_terminal ->
+      Option.iter (fun path -> ignore (load path : bool)) scene;
+      Prompt.standard_input ()
+  | None | Some ("" | "dumb") -> Prompt.plain_terminal ~greeting
+  | Some _ -> Prompt.terminal ~greeting
+
 let () =
   at_exit flush_or_tell;
   (* raylab ignores it, and that is inherited *)
@@ -43,9 +53,4 @@ let () =
   Prompt.prepare ();
   match script with
   | Some path -> exit (run_script scene path)
-  | None ->
-      if Unix.isatty Unix.stdin && Unix.isatty Unix.stdout then
-        Prompt.terminal ~greeting:(greeting scene)
-      else (
-        Option.iter (fun path -> ignore (load path : bool)) scene;
-        Prompt.standard_input ())
+  | None -> prompt scene

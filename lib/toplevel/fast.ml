@@ -81,9 +81,9 @@ let end_of pid =
   wait ()
 
 let failed program : Unix.process_status -> _ = function
-  | WEXITED 130 -> raise Sys.Break
   | WSIGNALED signal when signal = Sys.sigint -> raise Sys.Break
-  | WEXITED code | WSIGNALED code | WSTOPPED code ->
+  | WSIGNALED _ -> failwith (program ^ " was ended by a signal")
+  | WEXITED code | WSTOPPED code ->
       failwith (Printf.sprintf "%s ended with status %d" program code)
 
 let render_with program path =

@@ -12,12 +12,11 @@ line comes.
   > EOF
   $ terminal () { script -q -e -c "$*" typescript < /dev/null > /dev/null; }
 
-Each line starts over at the left, after clearing what was there.
+Each line starts over at the left, with blanks over what stood there.
 
   $ progress () {
-  >   tr '\r\033' '\n ' < typescript |
-  >     sed -E 's/^ \[K//
-  >             s/[0-9]+ (s|min|h)( [0-9]+ (s|min))? left/TIME left/
+  >   tr '\r' '\n' < typescript |
+  >     sed -E 's/[0-9]+ (s|min|h)( [0-9]+ (s|min))? left *$/TIME left/
   >             s/ +[0-9]+ %/ N %/' |
   >     grep -a 'rendering' | sort -u
   > }
@@ -25,6 +24,12 @@ Each line starts over at the left, after clearing what was there.
   $ terminal raylab render hall.scene -j 1
   $ progress
   rendering N %, TIME left
+
+That is for every terminal: there are no escape codes.
+
+  $ grep -c "$(printf '\033')" typescript
+  0
+  [1]
 
 It is gone at the end: what stays is where the picture went.
 
@@ -46,3 +51,34 @@ With -q there is none at all, nor where standard error is not the terminal.
   $ progress
   $ cat err
   raylab: wrote not.bmp
+
+Ctrl-C ends the line, and the program dies of the signal itself, so that a loop of
+the shell ends with it. Here it is typed once there is progress.
+
+  $ cat > slow.scene <<EOF
+  > imWidth 800   imHeight 600   canvWidth 4   canvHeight 3   depth 4
+  > raydepth 3000
+  > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
+  > EOF
+  $ cat > loop.bash <<'EOF'
+  > for try in 1 2 3; do
+  >   raylab render slow.scene
+  >   echo "the loop goes on after $?"
+  > done
+  > EOF
+  $ rm typescript
+  $ type_ctrl_c () {
+  >   for try in $(seq 600); do
+  >     grep -q 'left' typescript 2> /dev/null && break; sleep 0.05
+  >   done
+  >   printf '\003'
+  > }
+  $ type_ctrl_c | env --default-signal=INT \
+  >   script -q -f -e -c 'bash loop.bash' typescript > /dev/null
+  [130]
+  $ grep -c 'the loop' typescript
+  0
+  [1]
+  $ sed '1,/left/d' typescript | sed 's/ on .*//'
+  
+  Script done

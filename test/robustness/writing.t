@@ -71,8 +71,9 @@ Ended during the write, it leaves nothing else there.
 
   $ rm -f killed/.raylab*
   $ for signal in INT TERM; do
-  >   (trap - INT; exec ./raylab render sky.scene -q --size 6000x6000 -o killed/old.ppm) & pid=$!
-  >   await_part killed; kill -$signal $pid; wait $pid; echo "[$?]"
+  >   env --default-signal=INT ./raylab render sky.scene -q --size 6000x6000 \
+  >     -o killed/old.ppm & pid=$!
+  >   await_part killed; kill -$signal $pid; wait $pid 2> /dev/null; echo "[$?]"
   >   ls -A killed; cat killed/old.ppm
   > done
   [130]
@@ -86,6 +87,7 @@ Nor does it mind if that was taken away already.
 
   $ mkdir away
   $ (exec ./raylab render sky.scene -q --size 6000x6000 -o away/new.ppm) & pid=$!
-  $ await_part away; kill -STOP $pid; rm -r away; kill -TERM $pid; kill -CONT $pid; wait $pid
+  $ await_part away; kill -STOP $pid; rm -r away; kill -TERM $pid; kill -CONT $pid
+  $ wait $pid 2> /dev/null
   [143]
   $ cd / && rm -r $top

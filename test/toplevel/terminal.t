@@ -149,6 +149,52 @@ The prompt ends with its terminal.
   $ is_gone () { ! kill -0 $prompt 2> /dev/null; }
   $ wait_until is_gone
 
+A terminal that obeys no escape codes gets none: "script" is one here, to which the
+phrases are typed.
+
+  $ { echo '6 *'; echo '7;;'; echo 'rgb 1. 0.5 0.;;'; } |
+  >   TERM=dumb script -q -e -c 'raylab repl three.scene' typescript > /dev/null
+  $ grep -c "$(printf '\033')" typescript
+  0
+  [1]
+  $ tr -d '\r' < typescript | grep -o -e '- :.*' -e '.*scene:.*' -e 'help.*' -e 'raylab #'
+  three.scene: 3 objects, 1 light, 5 x 5 pixels
+  help () lists what raylab knows; Ctrl-D leaves.
+  raylab #
+  - : int = 42
+  raylab #
+  - : Color.t = rgb 1 0.5 0
+  raylab #
+
+Ctrl-C where nobody types ends what is under way, then raylab, and so a loop of the
+shell.
+
+  $ cat > forever.ml <<EOF
+  > let () = Fun.protect (fun () -> print_endline "begun"; while true do () done)
+  >   ~finally:(fun () -> print_endline "cleaned up")
+  > EOF
+  $ cat > loop.bash <<'EOF'
+  > for try in 1 2; do eval "raylab repl $1"; echo 'the loop goes on'; done
+  > EOF
+  $ loop () {
+  >   rm -f typescript
+  >   { wait_until grep -q 'begun' typescript; printf '\003'; } 2> /dev/null |
+  >     env --default-signal=INT \
+  >     script -q -f -e -c "bash loop.bash '$1'" typescript > /dev/null
+  >   echo "[$?]"
+  >   tr -d '\r' < typescript | sed '/^Script/d; s/.*\^C//; /./!d'
+  > }
+  $ loop forever.ml
+  [130]
+  begun
+  cleaned up
+  Interrupted.
+  $ loop '< forever.ml'
+  [130]
+  begun
+  cleaned up
+  Interrupted.
+
 Any utop
 --------
 

@@ -46,6 +46,27 @@ let test_no_picture () =
   Alcotest.(check string)
     "message" "/bin/true ended with status 0" (fails "/bin/true")
 
+(* [ended_by signal use] is [use] of a program that dies of [signal]. *)
+let ended_by signal use =
+  let path = Filename.temp_file "raylab" ".sh" in
+  Fun.protect ~finally:(fun () -> Sys.remove path) @@ fun () ->
+  Out_channel.with_open_text path (fun channel ->
+      Printf.fprintf channel
+        "#!/bin/sh\nexec env --default-signal=INT sh -c 'kill -%s $$'\n" signal);
+  Unix.chmod path 0o700;
+  use path
+
+let test_signal () =
+  ended_by "TERM" (fun program ->
+      Alcotest.(check string)
+        "message"
+        (program ^ " was ended by a signal")
+        (fails program));
+  (* Ctrl-C *)
+  ended_by "INT" (fun program ->
+      Alcotest.check_raises "interrupted" Sys.Break (fun () ->
+          ignore (fails program : string)))
+
 let test_too_large () =
   let scene = scene ~width:1_000_000 ~height:1_000_000 in
   match Fast.picture scene with
@@ -58,5 +79,6 @@ let suite =
       Alcotest.test_case "the program" `Quick (test_same main);
       Alcotest.test_case "no program" `Quick (test_same "/missing");
       Alcotest.test_case "no picture" `Quick test_no_picture;
+      Alcotest.test_case "ended by a signal" `Quick test_signal;
       Alcotest.test_case "too large" `Quick test_too_large;
     ] )

@@ -44,13 +44,18 @@ has_window() {
   [ -n "$window" ]
 }
 
+# [run COMMAND...] runs raylab beside the test.
+run() {
+  # the shell would make standard input /dev/null, and have SIGINT ignored
+  { env --default-signal=INT,HUP,TERM raylab "$@" >out 2>err <&5 & } 5<&0
+  pid=$!
+}
+
 # [start NAME COMMAND...] runs raylab until its window has a title with NAME.
 start() {
   local name=$1
   shift
-  # the shell would make standard input /dev/null
-  { raylab "$@" >out 2>err <&5 & } 5<&0
-  pid=$!
+  run "$@"
   until_ok has_window "^$name"
 }
 
