@@ -1,6 +1,8 @@
 type t = Save | Render | Toggle_path | Clear | Help | Close
 
-let of_char = function
+let of_char c =
+  (* in upper case with Caps Lock *)
+  match Char.lowercase_ascii c with
   | 's' -> Some Save
   | 'r' -> Some Render
   | 'e' -> Some Toggle_path

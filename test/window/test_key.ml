@@ -6,7 +6,13 @@ let test_keys () =
   in
   Alcotest.(check (list char))
     "these and no others"
-    [ '\027'; 'c'; 'e'; 'h'; 'q'; 'r'; 's' ]
+    [ '\027'; 'C'; 'E'; 'H'; 'Q'; 'R'; 'S'; 'c'; 'e'; 'h'; 'q'; 'r'; 's' ]
+    keys;
+  List.iter
+    (fun c ->
+      Alcotest.(check bool)
+        "the same with Caps Lock" true
+        (Key.of_char c = Key.of_char (Char.uppercase_ascii c)))
     keys;
   let is_listed c =
     List.exists (fun line -> line.[0] = c) (String.split_on_char '\n' Key.help)

@@ -55,7 +55,6 @@ h lists the keys, s saves, and other keys do nothing.
   $ press x
   $ press Return
   $ press Up
-  $ press S
   $ press h
   $ until_ok said 'close the window'
   $ press s
@@ -72,6 +71,14 @@ h lists the keys, s saves, and other keys do nothing.
   $ raylab view mirror.scene -o mirror.gif
   raylab: mirror.gif: there is no picture format '.gif'; use .bmp, .png or .ppm
   [124]
+
+Keys do the same with Caps Lock.
+
+  $ press Caps_Lock
+  $ press s
+  $ wrote_twice () { test $(grep -c wrote err) = 2; }
+  $ until_ok wrote_twice
+  $ press Caps_Lock
 
 r renders the file again.
 
@@ -107,7 +114,7 @@ q closes it.
   $ ended
   $ grep -c '^pixel' out
   4
-  $ cat err
+  $ uniq err
   raylab: wrote mirror.bmp
 
 Every way of closing
