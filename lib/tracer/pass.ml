@@ -1,26 +1,38 @@
 type t = { step : int; first : bool }
 
 let whole = { step = 1; first = true }
-
-let coarse_to_fine =
-  [|
-    { step = 8; first = true };
-    { step = 4; first = false };
-    { step = 2; first = false };
-    { step = 1; first = false };
-  |]
-
 let step pass = pass.step
 
 (* [every step length] is how many of 0, step, 2 step ... are below [length] *)
 let every step length = (length + step - 1) / step
+
+(* 640 x 480 pixels, every 8th of every 8th row, are 4,800 *)
+let most_at_first = 5000
+let least_step_at_first = 8
+
+let coarse_to_fine ~width ~height =
+  let rec first step =
+    if every step width <= most_at_first / every step height then step
+    else first (2 * step)
+  in
+  let rec finer step =
+    if step = 0 then [] else { step; first = false } :: finer (step / 2)
+  in
+  let step = first least_step_at_first in
+  Array.of_list ({ step; first = true } :: finer (step / 2))
+
+(* {1 Tiles} *)
+
+let side { step; _ } = Int.max Tile.side (2 * step)
+let count pass = Tile.count ~side:(side pass)
+let nth pass = Tile.nth ~side:(side pass)
 
 let pixels { step; first } { Tile.width; height; _ } =
   let known step = every step width * every step height in
   known step - if first then 0 else known (2 * step)
 
 let iter { step; first } { Tile.left; top; width; height } f =
-  (* tiles start at multiples of every step *)
+  (* tiles start at multiples of this step and of the one before *)
   let is_known x y = (not first) && x lor y land ((2 * step) - 1) = 0 in
   for j = 0 to every step height - 1 do
     let y = top + (j * step) in

@@ -2,14 +2,19 @@ open Raylab_scene
 
 type t = { width : int; height : int; rgb : Bytes.t }
 
-let create ~width ~height =
+let unset ~width ~height =
   if width < 1 || height < 1 then
     invalid_arg (Printf.sprintf "a picture of %d x %d pixels" width height);
   (* [3 * width * height] might be more than an integer holds *)
   if height > Sys.max_string_length / 3 / width then
     invalid_arg
       (Printf.sprintf "a picture of %d x %d pixels is too large" width height);
-  { width; height; rgb = Bytes.make (3 * width * height) '\000' }
+  { width; height; rgb = Bytes.create (3 * width * height) }
+
+let create ~width ~height =
+  let picture = unset ~width ~height in
+  Bytes.fill picture.rgb 0 (Bytes.length picture.rgb) '\000';
+  picture
 
 let width picture = picture.width
 let height picture = picture.height
@@ -31,6 +36,11 @@ let get picture ~x ~y =
   let at = offset picture ~x ~y in
   let byte k = Bytes.get_uint8 picture.rgb (at + k) in
   (byte 0, byte 1, byte 2)
+
+let code picture ~x ~y =
+  let at = offset picture ~x ~y in
+  (Bytes.get_uint16_be picture.rgb at lsl 8)
+  lor Bytes.get_uint8 picture.rgb (at + 2)
 
 let to_rgb picture = picture.rgb
 

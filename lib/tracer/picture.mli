@@ -16,6 +16,13 @@ val create : width:int -> height:int -> t
     is asked by [Picture_file.check_size]; if they do not, [Out_of_memory] is
     raised. *)
 
+val unset : width:int -> height:int -> t
+(** [unset ~width ~height] is likewise a picture to be filled: a pixel may have
+    any colour until it is {!set}. So the first pixels of a large picture need
+    not wait for memory that the last will need.
+
+    Raises what {!create} raises. *)
+
 val width : t -> int
 (** [width picture] is the number of pixels in a row. *)
 
@@ -32,6 +39,9 @@ val get : t -> x:int -> y:int -> int * int * int
 (** [get picture ~x ~y] is the red, green and blue byte of pixel [(x, y)].
 
     Raises [Invalid_argument] if there is no such pixel. *)
+
+val code : t -> x:int -> y:int -> int
+(** [code picture ~x ~y] is likewise one number, [0xRRGGBB]. *)
 
 val to_rgb : t -> bytes
 (** [to_rgb picture] is the bytes of [picture] themselves, not a copy: row by

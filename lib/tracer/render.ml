@@ -15,17 +15,21 @@ let size ?rows scene =
 
 let blank ?rows scene =
   let width, height = size ?rows scene in
-  Picture.create ~width ~height
+  Picture.unset ~width ~height
 
 (* Fills [picture], which shows [rows], pass by pass and tile by tile. *)
 let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
   let first_row = match rows with None -> 0 | Some { first; _ } -> first in
   let width = Picture.width picture and height = Picture.height picture in
-  let tiles = Tile.count ~width ~height in
+  let counts = Array.map (Pass.count ~width ~height) passes in
+  (* tiles are numbered through all passes *)
+  let rec nth p k =
+    if k < counts.(p) then (passes.(p), Pass.nth passes.(p) ~width ~height k)
+    else nth (p + 1) (k - counts.(p))
+  in
   let stopped = Option.value stop ~default:(fun () -> false) in
   let work evaluator k =
-    let pass = passes.(k / tiles)
-    and tile = Tile.nth ~width ~height (k mod tiles) in
+    let pass, tile = nth 0 k in
     Pass.iter pass tile (fun ~x ~y ->
         if not (stopped ()) then
           Picture.set picture ~x ~y
@@ -33,7 +37,7 @@ let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
     if not (stopped ()) then on_tile pass tile
   in
   Parallel.iter ~domains ?stop ?on_progress
-    ~count:(Array.length passes * tiles)
+    ~count:(Array.fold_left ( + ) 0 counts)
     ~worker:(fun () -> Trace.evaluator scene)
     work
   |> List.map Evaluator.tally |> Tally.sum
@@ -42,7 +46,8 @@ let picture ?(domains = Parallel.default_domains ()) ?rows
     ?(on_progress = ignore) scene =
   let picture = blank ?rows scene in
   let count =
-    Tile.count ~width:(Picture.width picture) ~height:(Picture.height picture)
+    Pass.count Pass.whole ~width:(Picture.width picture)
+      ~height:(Picture.height picture)
   in
   let tally =
     fill ~domains ?rows picture scene
@@ -56,6 +61,8 @@ let picture ?(domains = Parallel.default_domains ()) ?rows
 
 let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile
     picture scene =
-  if size ?rows scene <> (Picture.width picture, Picture.height picture) then
+  let ((width, height) as size) = size ?rows scene in
+  if size <> (Picture.width picture, Picture.height picture) then
     invalid_arg "a picture of another size";
-  fill ~domains ?rows ?stop picture scene ~passes:Pass.coarse_to_fine ~on_tile
+  fill ~domains ?rows ?stop picture scene ~on_tile
+    ~passes:(Pass.coarse_to_fine ~width ~height)

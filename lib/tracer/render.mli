@@ -26,7 +26,8 @@ val picture :
 (** {1 Pictures that are watched} *)
 
 val blank : ?rows:rows -> Trace.t -> Picture.t
-(** [blank scene] is a black picture of the size that {!picture} would have.
+(** [blank scene] is an {!Picture.unset} picture of the size that {!picture}
+    would have.
 
     Raises [Invalid_argument] if [rows] are not rows of the picture. *)
 

@@ -1,12 +1,12 @@
 type t = { left : int; top : int; width : int; height : int }
 
 let side = 16
-let along length = (length + side - 1) / side
-let count ~width ~height = along width * along height
+let along ~side length = (length + side - 1) / side
+let count ~side ~width ~height = along ~side width * along ~side height
 
-let nth ~width ~height number =
-  let left = number mod along width * side
-  and top = number / along width * side in
+let nth ~side ~width ~height number =
+  let across = along ~side width in
+  let left = number mod across * side and top = number / across * side in
   {
     left;
     top;

@@ -4,14 +4,15 @@
     cache. *)
 
 type t = { left : int; top : int; width : int; height : int }
-(** The type for tiles, in pixels. Those at the right and at the bottom may be
-    less than {!side} wide or high. *)
+(** The type for tiles, in pixels. *)
 
 val side : int
-(** [side] is 16. *)
+(** [side] is 16, the usual side. *)
 
-val count : width:int -> height:int -> int
-(** [count ~width ~height] is how many tiles a picture of this size has. *)
+val count : side:int -> width:int -> height:int -> int
+(** [count ~side ~width ~height] is how many tiles of this side a picture of
+    this size has. *)
 
-val nth : width:int -> height:int -> int -> t
-(** [nth ~width ~height k] is tile [k], from 0, row by row from the top. *)
+val nth : side:int -> width:int -> height:int -> int -> t
+(** [nth ~side ~width ~height k] is tile [k] of these, from 0, row by row from
+    the top. Those at the right and at the bottom may be less wide or high. *)

@@ -2,11 +2,10 @@ let background = 0x202428
 let rim = 0x101010
 let white = 0xffffff
 
-let picture canvas layout color box =
-  let box = Box.inter box (Layout.window layout) in
-  if not (Box.is_empty box) then
-    Canvas.paint canvas ~left:box.left ~top:box.top
-      (Raster.colors layout color ~background box)
+let picture canvas raster look { Box.top; height; _ } =
+  Canvas.paint canvas ~left:0 ~top (Raster.rows raster look ~top ~height)
+
+let nothing canvas = Canvas.fill canvas ~color:background
 
 (* {1 The path} *)
 

@@ -26,7 +26,11 @@ val note : t -> Pass.t -> Tile.t -> unit
 val part : t -> float
 (** [part r] is which part of the pixels is known, from 0 to 1. *)
 
-val color : t -> x:int -> y:int -> int option
-(** [color r ~x ~y] is the colour of the block around pixel [(x, y)], as
-    [0xRRGGBB]: that of its upper left pixel, which is known. Blocks are as
-    small as the passes done allow. [None] if nothing is known there. *)
+val step : t -> x:int -> y:int -> int
+(** [step r ~x ~y] is the side of the block around pixel [(x, y)] of which one
+    pixel, the upper left, is known; blocks are as small as the passes done
+    allow. 0 if nothing is known there. *)
+
+val color : t -> x:int -> y:int -> int
+(** [color r ~x ~y] is the colour of that known pixel, as [0xRRGGBB]; any
+    colour if nothing is known. *)

@@ -17,6 +17,7 @@ type t = {
   screen : (int * int) option;
   canvas : Canvas.t;
   mutable layout : Layout.t;
+  mutable raster : Raster.t;
   mutable picture_size : int * int;
   mutable stage : Stage.t;
   mutable current : Shown.t option;  (** the last that was begun *)
@@ -28,10 +29,12 @@ type t = {
   mutable damage : Box.t;  (** what is to be drawn anew *)
 }
 
-let lay_out canvas picture = Layout.make ~window:(Canvas.size canvas) ~picture
+let lay_out canvas picture =
+  let layout = Layout.make ~window:(Canvas.size canvas) ~picture in
+  (layout, Raster.make layout ~background:Drawing.background)
 
 let make ~domains ?rows ~terminal ~screen ~picture source canvas =
-  let layout = lay_out canvas picture in
+  let layout, raster = lay_out canvas picture in
   {
     source;
     terminal;
@@ -40,6 +43,7 @@ let make ~domains ?rows ~terminal ~screen ~picture source canvas =
     screen;
     canvas;
     layout;
+    raster;
     picture_size = picture;
     stage = Reading;
     current = None;
@@ -53,19 +57,31 @@ let make ~domains ?rows ~terminal ~screen ~picture source canvas =
 
 let draw_all s = s.damage <- Layout.window s.layout
 
+let lay_out_again s =
+  let layout, raster = lay_out s.canvas s.picture_size in
+  s.layout <- layout;
+  s.raster <- raster;
+  draw_all s
+
 (* What a click is about, and what is saved. *)
 let in_view s =
   match s.stage with In_error _ | Reading -> s.whole | _ -> s.current
 
 (* {1 What is shown} *)
 
-let color s =
-  let shown = Option.to_list s.current and whole = Option.to_list s.whole in
-  let of_first some = Shown.color some ~size:s.picture_size in
+let look s =
+  let is_seen shown =
+    Shown.size shown = s.picture_size && Refinement.part shown.refinement > 0.
+  in
+  let of_first some =
+    match List.filter is_seen (List.filter_map Fun.id some) with
+    | [] -> None
+    | seen -> Some (Shown.look seen)
+  in
   match s.stage with
-  | In_error _ -> fun ~x ~y -> Raster.dim (of_first whole ~x ~y)
-  | Reading -> of_first whole
-  | Rendering | Took _ -> of_first (shown @ whole)
+  | In_error _ -> Option.map Raster.dim (of_first [ s.whole ])
+  | Reading -> of_first [ s.whole ]
+  | Rendering | Took _ -> of_first [ s.current; s.whole ]
 
 let title s =
   let part =
@@ -77,8 +93,11 @@ let title s =
 
 let draw s =
   Canvas.set_title s.canvas (title s);
-  if not (Box.is_empty s.damage) then (
-    Drawing.picture s.canvas s.layout (color s) s.damage;
+  let damage = Box.inter s.damage (Layout.window s.layout) in
+  if not (Box.is_empty damage) then (
+    (match look s with
+    | None -> Drawing.nothing s.canvas damage
+    | Some look -> Drawing.picture s.canvas s.raster look damage);
     (match (s.stage, s.path) with
     | In_error message, _ -> Drawing.message s.canvas s.layout message
     | _, Some { pixel; overlay; visible = true } ->
@@ -128,7 +147,7 @@ let note_size s size =
     s.picture_size <- size;
     let width, height = Layout.window_size ~screen:s.screen size in
     Canvas.resize s.canvas ~width ~height;
-    s.layout <- lay_out s.canvas size)
+    lay_out_again s)
 
 let become_whole s shown seconds =
   s.whole <- Some shown;
@@ -171,7 +190,11 @@ let render s =
   s.render_again <- true;
   Option.iter Rendering.stop s.rendering
 
-let is_rendering s = s.rendering <> None || s.render_again
+let pause s =
+  let is_rendering = s.rendering <> None || s.render_again in
+  if not is_rendering then 0.1
+  else if Option.is_none (look s) then 0.01
+  else 0.03
 
 let advance s =
   match s.rendering with
@@ -219,7 +242,5 @@ let key s : Key.t -> _ = function
 let step s =
   advance s;
   let { Box.width; height; _ } = Layout.window s.layout in
-  if Canvas.size s.canvas <> (width, height) then (
-    s.layout <- lay_out s.canvas s.picture_size;
-    draw_all s);
+  if Canvas.size s.canvas <> (width, height) then lay_out_again s;
   draw s

@@ -45,8 +45,9 @@ val step : t -> unit
 (** [step session] takes note of what was rendered and of the size of the
     window, and draws what has changed. *)
 
-val is_rendering : t -> bool
-(** [is_rendering session] is whether a rendering is under way. *)
+val pause : t -> float
+(** [pause session] is how long, in seconds, there may be no {!step} if there
+    is no event: shortest while there is nothing to see yet. *)
 
 val finish : t -> unit
 (** [finish session] stops what is under way and waits for its end. *)

@@ -5,17 +5,24 @@ type t = { scene : Trace.t; refinement : Refinement.t; first_row : int }
 
 let size shown = Refinement.size shown.refinement
 
-let rec color some ~size:wanted ~x ~y =
-  match some with
-  | [] -> Drawing.background
-  | shown :: others -> (
-      let known =
-        if size shown = wanted then Refinement.color shown.refinement ~x ~y
-        else None
-      in
-      match known with
-      | Some known -> known
-      | None -> color others ~size:wanted ~x ~y)
+let look some =
+  (* those from the first on that knows the pixel *)
+  let rec from_known some ~x ~y =
+    match some with
+    | r :: others when Refinement.step r ~x ~y = 0 -> from_known others ~x ~y
+    | some -> some
+  in
+  let some = List.map (fun shown -> shown.refinement) some in
+  let step ~x ~y =
+    match from_known some ~x ~y with
+    | [] -> 0
+    | r :: _ -> Refinement.step r ~x ~y
+  and color ~x ~y =
+    match from_known some ~x ~y with
+    | [] -> Drawing.background
+    | r :: _ -> Refinement.color r ~x ~y
+  in
+  { Raster.step; color }
 
 let explain { scene; first_row; _ } (x, y) =
   Explain.pixel scene ~x ~y:(y + first_row)

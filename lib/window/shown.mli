@@ -13,10 +13,10 @@ type t = {
 val size : t -> int * int
 (** [size shown] is width and height. *)
 
-val color : t list -> size:int * int -> x:int -> y:int -> int
-(** [color some ~size ~x ~y] is the colour of pixel [(x, y)] in the first of
-    [some] that has this [size] and where it is known; that of nothing if there
-    is none. *)
+val look : t list -> Raster.look
+(** [look some] is, at each pixel, that of the first of [some], which have the
+    same size, where something is known there; if there is none, that of
+    nothing. *)
 
 val explain : t -> int * int -> Explain.t
 (** [explain shown (x, y)] explains pixel [(x, y)] of [shown]. *)

@@ -59,8 +59,7 @@ let serve session canvas watch ~begin_ =
   let rec loop () =
     look ();
     Session.step session;
-    let seconds = if Session.is_rendering session then 0.03 else 0.1 in
-    match Canvas.next canvas ~seconds with
+    match Canvas.next canvas ~seconds:(Session.pause session) with
     | None -> loop ()
     | Some (Click (x, y)) ->
         Session.click session (x, y);

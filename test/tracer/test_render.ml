@@ -90,6 +90,29 @@ let test_interrupted () =
   | _ -> Alcotest.fail "not stopped"
   | exception Stop -> ()
 
+(* Pass by pass, and each of its tiles in turn: 1,000 x 800 pixels every 16th,
+   8th, 4th, 2nd, each. *)
+let test_coarse_first () =
+  let scene = scene 1000 800 in
+  let picture = Render.blank scene in
+  let told = ref [] in
+  ignore
+    (Render.refine ~domains:1 picture scene ~on_tile:(fun pass tile ->
+         told := (Pass.step pass, tile) :: !told)
+      : Tally.t);
+  let expected =
+    List.concat_map
+      (fun (step, side) ->
+        let count = Tile.count ~side ~width:1000 ~height:800 in
+        List.init count (fun k ->
+            (step, Tile.nth ~side ~width:1000 ~height:800 k)))
+      [ (16, 32); (8, 16); (4, 16); (2, 16); (1, 16) ]
+  in
+  Alcotest.(check bool) "in order" true (List.rev !told = expected);
+  Alcotest.(check bool)
+    "the picture" true
+    (Picture.equal picture (fst_of scene))
+
 let suite =
   ( "Render",
     [
@@ -100,4 +123,5 @@ let suite =
       Alcotest.test_case "rows" `Quick test_rows;
       Alcotest.test_case "progress" `Quick test_progress;
       Alcotest.test_case "interrupted" `Quick test_interrupted;
+      Alcotest.test_case "coarse first" `Quick test_coarse_first;
     ] )

@@ -36,3 +36,19 @@ It is saved in full.
   $ cat err
   raylab: wrote saved.png
   $ raylab render large.scene -q -o large.png && cmp saved.png large.png
+
+One that is larger still, here of 1.2 GB, of two mirrors that face each other and
+take hours: its memory is touched only where there are pixels, so that the first
+of them need not wait.
+
+  $ cat > hall.scene <<EOF
+  > imWidth 20000   imHeight 20000   canvWidth 4   canvHeight 4   depth 4
+  > raydepth 100000
+  > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
+  > EOF
+  $ start hall.scene view hall.scene
+  $ shows ': 0 %$'
+  $ kilobytes=$(awk '/VmRSS/ { print $2 }' /proc/$pid/status)
+  $ test $kilobytes -lt 300000 || echo "$kilobytes kB"
+  $ press q
+  $ ended

@@ -1,12 +1,21 @@
+open Raylab_scene
 open Raylab_tracer
 open Raylab_window
 
-let size = QCheck.(pair (int_range 1 70) (int_range 1 70))
+(* small ones, and such for which the first pass is coarser than usual *)
+let size =
+  QCheck.(
+    oneof
+      [
+        pair (int_range 1 70) (int_range 1 70);
+        pair (int_range 1 9) (int_range 1 90_000);
+        pair (int_range 600 1500) (int_range 400 800);
+      ])
 
-let tiles (width, height) =
-  List.init (Tile.count ~width ~height) (Tile.nth ~width ~height)
+let tiles pass (width, height) =
+  List.init (Pass.count pass ~width ~height) (Pass.nth pass ~width ~height)
 
-let passes = Array.to_list Pass.coarse_to_fine
+let passes (width, height) = Array.to_list (Pass.coarse_to_fine ~width ~height)
 
 (* how often the passes compute each pixel *)
 let times ((width, height) as size) passes =
@@ -16,22 +25,24 @@ let times ((width, height) as size) passes =
       List.iter
         (fun tile ->
           Pass.iter pass tile (fun ~x ~y -> times.(y).(x) <- times.(y).(x) + 1))
-        (tiles size))
+        (tiles pass size))
     passes;
   times
 
 let all_once times = Array.for_all (Array.for_all (( = ) 1)) times
 
 let prop_once =
-  QCheck.Test.make ~name:"all passes together compute each pixel once" size
-    (fun size -> all_once (times size passes))
+  QCheck.Test.make ~count:50
+    ~name:"all passes together compute each pixel once" size (fun size ->
+      all_once (times size (passes size)))
 
 let prop_whole =
-  QCheck.Test.make ~name:"so does the whole in one pass" size (fun size ->
-      all_once (times size [ Pass.whole ]))
+  QCheck.Test.make ~count:50 ~name:"so does the whole in one pass" size
+    (fun size -> all_once (times size [ Pass.whole ]))
 
 let prop_pixels =
-  QCheck.Test.make ~name:"pixels are as many as are computed" size (fun size ->
+  QCheck.Test.make ~count:50 ~name:"pixels are as many as are computed" size
+    (fun size ->
       List.for_all
         (fun pass ->
           List.for_all
@@ -39,8 +50,50 @@ let prop_pixels =
               let count = ref 0 in
               Pass.iter pass tile (fun ~x:_ ~y:_ -> incr count);
               !count = Pass.pixels pass tile)
-            (tiles size))
-        (Pass.whole :: passes))
+            (tiles pass size))
+        (Pass.whole :: passes size))
+
+(* So a first picture of any size is there at once. *)
+let prop_few_at_first =
+  let side = QCheck.map (fun (a, b) -> 1 + (a lsl b)) in
+  let side = side QCheck.(pair (int_bound 1000) (int_bound 20)) in
+  QCheck.Test.make ~name:"the first pass computes few pixels of any size"
+    QCheck.(pair side side)
+    (fun size ->
+      let first = List.hd (passes size) in
+      let pixels =
+        List.fold_left
+          (fun sum tile -> sum + Pass.pixels first tile)
+          0 (tiles first size)
+      in
+      1 <= pixels && pixels <= 5000)
+
+(* Here a pixel is white once a pass has computed it. *)
+let prop_known =
+  let white = Color.white in
+  QCheck.Test.make ~count:50
+    ~name:"what is shown was computed, in whichever order"
+    QCheck.(pair size (list (pair small_nat small_nat)))
+    (fun (((width, height) as size), work) ->
+      let picture = Picture.create ~width ~height in
+      let r = Refinement.start picture in
+      let passes = Array.of_list (passes size) in
+      List.iter
+        (fun (p, k) ->
+          let pass = passes.(p mod Array.length passes) in
+          let count = Pass.count pass ~width ~height in
+          let tile = Pass.nth pass ~width ~height (k mod count) in
+          Pass.iter pass tile (fun ~x ~y -> Picture.set picture ~x ~y white);
+          Refinement.note r pass tile)
+        (List.sort_uniq compare work);
+      List.for_all
+        (fun y ->
+          List.for_all
+            (fun x ->
+              Refinement.step r ~x ~y = 0
+              || Refinement.color r ~x ~y = 0xffffff)
+            (List.init width Fun.id))
+        (List.init height Fun.id))
 
 (* a picture in which every pixel has a colour of its own *)
 let colour x y = (x lsl 16) lor (y lsl 8)
@@ -56,14 +109,17 @@ let filled (width, height) =
   done;
   picture
 
+let color r x y =
+  if Refinement.step r ~x ~y = 0 then None else Some (Refinement.color r ~x ~y)
+
 let test_blocks () =
   let size = (40, 20) in
   let r = Refinement.start (filled size) in
   let check name expected x y =
-    Alcotest.(check (option int)) name expected (Refinement.color r ~x ~y)
+    Alcotest.(check (option int)) name expected (color r x y)
   in
-  let tile = List.hd (tiles size) in
-  let pass k = Pass.coarse_to_fine.(k) in
+  let pass = List.nth (passes size) in
+  let tile = List.hd (tiles (pass 0) size) in
   check "nothing is known" None 5 5;
   Refinement.note r (pass 0) tile;
   check "blocks of 8" (Some (colour 0 8)) 5 11;
@@ -76,18 +132,34 @@ let test_blocks () =
   check "pixels" (Some (colour 5 11)) 5 11;
   Alcotest.(check (float 1e-9)) "part" (256. /. 800.) (Refinement.part r)
 
+(* The first pass of 1,000 x 800 pixels is done in tiles of 32. *)
+let test_large () =
+  let r = Refinement.start (filled (1000, 800)) in
+  let pass = List.nth (passes (1000, 800)) in
+  let note k =
+    Refinement.note r (pass k) (Pass.nth (pass k) ~width:1000 ~height:800 0)
+  in
+  let check name expected x y =
+    Alcotest.(check (option int)) name expected (color r x y)
+  in
+  note 0;
+  check "blocks of 16" (Some (colour 16 0)) 31 15;
+  check "another tile" None 32 0;
+  note 1;
+  check "blocks of 8" (Some (colour 8 8)) 15 15;
+  check "another tile of the second pass" (Some (colour 16 0)) 31 15
+
 let test_complete () =
   let r = Refinement.complete (filled (33, 17)) in
   Alcotest.(check (float 0.)) "part" 1. (Refinement.part r);
-  Alcotest.(check (option int))
-    "pixel"
-    (Some (colour 32 16))
-    (Refinement.color r ~x:32 ~y:16)
+  Alcotest.(check (option int)) "pixel" (Some (colour 32 16)) (color r 32 16)
 
 let suite =
   ( "Refinement",
-    List.map QCheck_alcotest.to_alcotest [ prop_once; prop_whole; prop_pixels ]
+    List.map QCheck_alcotest.to_alcotest
+      [ prop_once; prop_whole; prop_pixels; prop_few_at_first; prop_known ]
     @ [
         Alcotest.test_case "blocks" `Quick test_blocks;
+        Alcotest.test_case "blocks of a large picture" `Quick test_large;
         Alcotest.test_case "complete" `Quick test_complete;
       ] )
