@@ -36,19 +36,18 @@ let bit r pass =
   let rec find k = if r.passes.(k) = pass then k else find (k + 1) in
   1 lsl find 0
 
-(* The step after the passes of a set: a pass counts only if those before it are
-   done as well. *)
-let step_after r set =
-  let rec finest k step =
-    if set land (1 lsl k) <> 0 then finest (k + 1) (Pass.step r.passes.(k))
-    else step
-  in
-  finest 0 0
+(* The step after a set of passes, those before pass [k] having led to [step]: a
+   pass counts only if those before it are done as well. *)
+let rec step_after passes set k step =
+  if set land (1 lsl k) = 0 then step
+  else step_after passes set (k + 1) (Pass.step passes.(k))
 
+(* Nothing is allocated: coarse tiles of a large picture have very many squares,
+   and a collection stops the domains that render. *)
 let note_square r bit k =
   let set = r.passes_done.(k) lor bit in
   r.passes_done.(k) <- set;
-  r.steps.(k) <- step_after r set
+  r.steps.(k) <- step_after r.passes set 0 0
 
 let note r pass (tile : Tile.t) =
   let bit = bit r pass in

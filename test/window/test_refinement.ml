@@ -149,6 +149,18 @@ let test_large () =
   check "blocks of 8" (Some (colour 8 8)) 15 15;
   check "another tile of the second pass" (Some (colour 16 0)) 31 15
 
+(* A collection would stop the domains that render. *)
+let test_words () =
+  let width = 3000 and height = 2000 in
+  let r = Refinement.start (Picture.unset ~width ~height) in
+  let pass = List.hd (passes (width, height)) in
+  let tiles = tiles pass (width, height) in
+  let before = Gc.minor_words () in
+  List.iter (Refinement.note r pass) tiles;
+  let squares = Tile.count ~side:Tile.side ~width ~height in
+  let words = (Gc.minor_words () -. before) /. float_of_int squares in
+  Alcotest.(check bool) "none for a square" true (words < 1.)
+
 let test_complete () =
   let r = Refinement.complete (filled (33, 17)) in
   Alcotest.(check (float 0.)) "part" 1. (Refinement.part r);
@@ -162,4 +174,5 @@ let suite =
         Alcotest.test_case "blocks" `Quick test_blocks;
         Alcotest.test_case "blocks of a large picture" `Quick test_large;
         Alcotest.test_case "complete" `Quick test_complete;
+        Alcotest.test_case "no words a square" `Quick test_words;
       ] )
