@@ -1,4 +1,5 @@
 open Cmdliner
+open Raylab_picture
 open Raylab_band
 
 let or_write_error = function
@@ -14,7 +15,7 @@ let join parts out quiet () =
   let format = Output.format out ~inputs:files ~named:"one of the bands" in
   let join = or_refuse (Join.check files) in
   let { Band.width; height; _ } = Join.whole join in
-  or_write_error (Join.check_size format ~width ~height);
+  or_write_error (Picture_file.check_format format ~width ~height);
   let written =
     if out = "-" then Join.output join format stdout
     else Join.save join format ~path:out

@@ -2,7 +2,6 @@ open Cmdliner
 open Raylab_scene
 open Raylab_language
 open Raylab_picture
-open Raylab_band
 open Raylab_slurm
 
 type options = {
@@ -51,7 +50,7 @@ let check_bands options { Camera.width; height; _ } =
         ("the bands are too large, make more of them: " ^ message)
 
 let check_whole format { Camera.width; height; _ } =
-  or_write_error (Join.check_size format ~width ~height)
+  or_write_error (Picture_file.check_format format ~width ~height)
 
 let job options ~out { Camera.height; _ } =
   {

@@ -1,4 +1,5 @@
 open Raylab_scene
+open Raylab_picture
 
 type whole = {
   width : int;

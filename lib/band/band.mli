@@ -1,5 +1,7 @@
 (** Bands: rows of a picture that know where they belong. *)
 
+open Raylab_picture
+
 type whole = {
   width : int;  (** in pixels *)
   height : int;  (** in pixels *)

@@ -36,24 +36,28 @@ let uncompressed_rows file format channel ~first ~count =
       really_input channel bytes 0 (count * stride));
   Uncompressed.decode format ~width bytes
 
-let load_png { path; band; _ } =
-  match Png.load path [] with
-  | Images.Rgb24 image
-    when image.width = band.whole.width && image.height = Band.rows band ->
-      Rgb24.dump image
-  | _ | (exception (Failure _ | Sys_error _ | Images.Wrong_file_type)) ->
-      unreadable path "the band is damaged: its pixels cannot be unpacked"
+let load_png { path; band; _ } channel =
+  let read () =
+    Png_file.read channel ~width:band.whole.width ~height:(Band.rows band)
+  in
+  match reading path read with
+  | Some rgb -> rgb
+  | None ->
+      unreadable path
+        "the band is damaged: not all of its parts are there and right"
 
-let with_rows file f =
+let rows file channel =
   match file.form with
-  | Uncompressed format ->
-      let channel = reading file.path (fun () -> open_in_bin file.path) in
-      Fun.protect
-        ~finally:(fun () -> close_in_noerr channel)
-        (fun () -> f (uncompressed_rows file format channel))
+  | Uncompressed format -> uncompressed_rows file format channel
   | Png ->
       let { Band.whole = { width; _ }; first; _ } = file.band in
-      f (Rows.of_bytes ~width ~top:first (load_png file))
+      Rows.of_bytes ~width ~top:first (load_png file channel)
+
+let with_rows file f =
+  let channel = reading file.path (fun () -> open_in_bin file.path) in
+  Fun.protect
+    ~finally:(fun () -> close_in_noerr channel)
+    (fun () -> f (rows file channel))
 
 (* {1 Checking} *)
 
@@ -62,29 +66,39 @@ let no_band =
 
 let damaged what = Error ("the band is damaged: " ^ what)
 
-(* The headers, which hold the label, are smaller. *)
-let most_before_pixels = 512
+(* Labels, and what lies before them, are smaller. *)
+let most_around_label = 512
 
-let start_of channel =
-  let start = Bytes.create most_before_pixels in
+(* [part channel] is what follows, but not more than that. *)
+let part channel =
+  let part = Bytes.create most_around_label in
   let rec fill n =
-    match In_channel.input channel start n (most_before_pixels - n) with
-    | 0 -> Bytes.sub_string start 0 n
+    match In_channel.input channel part n (most_around_label - n) with
+    | 0 -> Bytes.sub_string part 0 n
     | count -> fill (n + count)
   in
   fill 0
+
+(* [ends channel] is what its file starts with and what it ends with. *)
+let ends channel =
+  let start = part channel in
+  let last =
+    Int64.(sub (In_channel.length channel) (of_int most_around_label))
+  in
+  In_channel.seek channel (Int64.max 0L last);
+  (start, part channel)
 
 let forms =
   [
     (Uncompressed Uncompressed.Bmp, Uncompressed.label Bmp);
     (Uncompressed Ppm, Uncompressed.label Ppm);
-    (Png, Png_label.find);
+    (Png, fun ~start ~stop:_ -> Png_file.label start);
   ]
 
-let find_label start =
+let find_label ~start ~stop =
   List.find_map
     (fun (form, find) ->
-      Option.bind (find start) Band.of_label
+      Option.bind (find ~start ~stop) Band.of_label
       |> Option.map (fun (band, crc) -> (form, band, crc)))
     forms
 
@@ -94,28 +108,21 @@ let ( let* ) = Result.bind
 let check_frame channel form start band crc =
   let width = band.Band.whole.width and height = Band.rows band in
   let* () = Picture_file.check_size Ppm ~width ~height in
-  let length = Int64.to_int (In_channel.length channel) in
   match form with
+  | Png -> Ok 0
   | Uncompressed format ->
-      let label = Band.with_checksum band crc in
+      let label = Some (Band.with_checksum band crc) in
       let header = Uncompressed.header format ~label ~width ~height in
-      let before = String.length header in
-      let whole = before + (Uncompressed.stride format ~width * height) in
+      let before = String.length header
+      and pixels = Uncompressed.stride format ~width * height
+      and after = String.length (Uncompressed.trailer format ~label) in
+      let length = Int64.to_int (In_channel.length channel)
+      and whole = before + pixels + after in
       if not (String.starts_with ~prefix:header start) then
         damaged "its header is not what its label says"
       else if length <> whole then
         damaged (Printf.sprintf "it has %d bytes instead of %d" length whole)
       else Ok before
-  | Png ->
-      let* () = Picture_file.check_size Png ~width ~height in
-      (* asked before all of it is read: deflate adds less than that *)
-      let most = (2 * ((3 * width) + 1) * height) + (1 lsl 20) in
-      In_channel.seek channel 0L;
-      if
-        length <= most
-        && Png_label.is_whole (In_channel.input_all channel) ~width ~height
-      then Ok 0
-      else damaged "not all of its parts are there and right"
 
 let checksum file =
   let { Band.whole = { width; _ }; first; last } = file.band in
@@ -129,8 +136,8 @@ let check_exn path =
   let* file, crc =
     reading path (fun () ->
         In_channel.with_open_bin path (fun channel ->
-            let start = start_of channel in
-            match find_label start with
+            let start, stop = ends channel in
+            match find_label ~start ~stop with
             | None -> Error no_band
             | Some (form, band, crc) ->
                 let* start = check_frame channel form start band crc in

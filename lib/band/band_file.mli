@@ -1,5 +1,7 @@
 (** Files of bands, which {!Band_writer} has written: reading them. *)
 
+open Raylab_picture
+
 type t
 (** The type for files of bands that were found whole. *)
 

@@ -2,8 +2,7 @@
     in a place where viewers do not mind it.
 
     - In a PPM it is the first comment.
-    - In a BMP it lies between the headers and the pixels, and ends with a byte
-      0.
+    - In a BMP it is the line after the pixels.
     - In a PNG it is a chunk tEXt with the keyword Comment. *)
 
 open Raylab_tracer

@@ -1,4 +1,3 @@
-open Raylab_tracer
 open Raylab_picture
 
 type t = { whole : Band.whole; pieces : Band_file.t Cover.piece list }
@@ -112,39 +111,18 @@ let check paths =
       in
       Ok { whole; pieces }
 
-let check_size format ~width ~height =
-  match format with
-  | Picture_file.Png -> Picture_file.check_size Png ~width ~height
-  | Bmp | Ppm -> Picture_file.check_format format ~width ~height
-
 (* {1 Writing} *)
 
-(* [iter ~lowest_first f join] is {!Rows.iter} of the whole picture. *)
-let iter ~lowest_first f { whole = { width; _ }; pieces } =
-  List.iter
-    (fun { Cover.part; first; last } ->
-      Band_file.with_rows part (Rows.iter ~lowest_first ~width ~first ~last f))
-    (if lowest_first then List.rev pieces else pieces)
-
-let write_uncompressed format join =
-  let { Band.width; height; _ } = join.whole in
-  Uncompressed.write format ~label:"" ~width ~height (fun ~lowest_first emit ->
-      iter ~lowest_first (fun ~first:_ -> emit) join)
-
-let write_png join path =
-  let { Band.width; height; _ } = join.whole in
-  let picture = Picture.create ~width ~height in
-  let place ~first rgb =
-    let at = 3 * width * first in
-    Bytes.blit rgb 0 (Picture.to_rgb picture) at (Bytes.length rgb)
+let pixels { whole = { width; height; _ }; pieces } =
+  let iter ~lowest_first f =
+    List.iter
+      (fun { Cover.part; first; last } ->
+        Band_file.with_rows part
+          (Rows.iter ~lowest_first ~width ~first ~last (fun rgb ->
+               f rgb 0 (Bytes.length rgb))))
+      (if lowest_first then List.rev pieces else pieces)
   in
-  iter ~lowest_first:false place join;
-  Picture_file.write Png picture path
-
-let write = function
-  | Picture_file.Bmp -> write_uncompressed Bmp
-  | Ppm -> write_uncompressed Ppm
-  | Png -> write_png
+  { Pixels.width; height; label = None; iter }
 
 type failure = Unreadable of string | Unwritable of string
 
@@ -155,7 +133,7 @@ let failing written =
   | exception Band_file.Unreadable message -> Error (Unreadable message)
 
 let save join format ~path =
-  failing (fun () -> Atomic_file.save ~path (write format join))
+  failing (fun () -> Picture_file.save_pixels format ~path (pixels join))
 
 let output join format channel =
-  failing (fun () -> Atomic_file.output channel (write format join))
+  failing (fun () -> Picture_file.output_pixels format channel (pixels join))

@@ -1,7 +1,6 @@
 (** Bands become the whole picture.
 
-    Memory is needed for a piece of a band, and for a band that is a PNG; only
-    to write a PNG is it needed for the whole picture. *)
+    Memory is needed for a piece of a band, and for a band that is a PNG. *)
 
 open Raylab_picture
 
@@ -21,11 +20,6 @@ val check : string list -> (t, string list) result
 
 val whole : t -> Band.whole
 (** [whole join] is which picture it is. *)
-
-val check_size :
-  Picture_file.format -> width:int -> height:int -> (unit, string) result
-(** [check_size format ~width ~height] is whether a picture of this size can be
-    joined and written in [format], or a message that says why not. *)
 
 type failure =
   | Unreadable of string  (** a band has changed since it was checked *)

@@ -24,13 +24,17 @@ val check_format : format -> width:int -> height:int -> (unit, string) result
 
 val save : format -> path:string -> Picture.t -> (unit, string) result
 (** [save format ~path picture] writes [picture] to [path], so that the file
-    appears whole or not at all; see {!Atomic_file.save}. It is checked before
-    it appears. *)
+    appears whole or not at all; see {!Atomic_file.save}. *)
 
 val output : format -> out_channel -> Picture.t -> (unit, string) result
 (** [output format channel picture] writes [picture] to [channel], in binary
     mode, and flushes it. *)
 
-val write : format -> Picture.t -> string -> unit
-(** [write format picture path] is how {!save} fills a new file: for
-    {!Atomic_file.save}, as which it fails. *)
+(** {1 Piece by piece} *)
+
+val save_pixels : format -> path:string -> Pixels.t -> (unit, string) result
+(** [save_pixels] is {!save} of pixels as they come. What [pixels.iter] raises
+    it raises, and nothing is written. *)
+
+val output_pixels : format -> out_channel -> Pixels.t -> (unit, string) result
+(** [output_pixels] is {!output} likewise. *)

@@ -2,7 +2,6 @@ open Raylab_scene
 open Raylab_language
 open Raylab_tracer
 open Raylab_picture
-open Raylab_band
 open Raylab_window
 
 let variable = "RAYLAB_PROGRAM"

@@ -24,19 +24,6 @@ let test_read format =
             "rows 3 and 4" (Picture.to_rgb two)
             (Band_file.with_rows file (fun rows -> rows ~first:3 ~count:2)))
 
-(* An ordinary reader sees an ordinary picture. *)
-let test_ordinary format load =
-  with_band format (fun path ->
-      let expected = Sample.rows picture ~first:2 ~last:6 in
-      match load path [] with
-      | Images.Rgb24 image ->
-          Alcotest.(check (pair int int))
-            "size" (width, 5)
-            (image.width, image.height);
-          Alcotest.(check bytes)
-            "pixels" (Picture.to_rgb expected) (Rgb24.dump image)
-      | _ -> Alcotest.fail "not a picture of 24 bits a pixel")
-
 let test_size folder =
   Expect.invalid "size" (fun () ->
       Band_writer.save Ppm ~path:(Filename.concat folder "a") band picture)
@@ -58,8 +45,4 @@ let suite =
   ( "Files",
     Sample.for_each "read back" test_read
     @ Sample.for_each "changed since" test_changed
-    @ [
-        Sample.test "BMP for others" (test_ordinary Bmp Bmp.load);
-        Sample.test "PNG for others" (test_ordinary Png Png.load);
-        Sample.test "another size" test_size;
-      ] )
+    @ [ Sample.test "another size" test_size ] )

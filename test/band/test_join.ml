@@ -82,8 +82,8 @@ let test_pieces folder =
           Alcotest.(check bool)
             "same" true
             (join [ b; a ] out ~path = at_once picture out ~path))
-        [ Picture_file.Bmp; Ppm ])
-    [ Picture_file.Bmp; Ppm ]
+        Sample.formats)
+    Sample.formats
 
 (* {1 Refusals} *)
 

@@ -1,4 +1,5 @@
 open Raylab_scene
+open Raylab_picture
 open Raylab_band
 open Test_support
 

@@ -138,9 +138,6 @@ it.
   $ raylab render sky.scene --size 2147483647x2147483647
   raylab: a picture of 2147483647 x 2147483647 pixels would take 12884901876.0 GiB of memory; the limit is 4 GiB
   [2]
-  $ raylab render sky.scene --size 30000x10 -o sky.png
-  raylab: a PNG of 30000 x 10 pixels is too large; the limit is 25000 a side. Use .bmp or .ppm
-  [2]
 
 Some rows of it are not too large, nor is a smaller size.
 

@@ -95,7 +95,7 @@ A PPM's header is text. The rows follow, the topmost first.
   raylab: wrote floor.ppm
   $ head -c 2 floor.ppm
   P6
-  $ head -n 4 floor.ppm | grep -v '^#' | tail -n 2
+  $ head -n 3 floor.ppm | tail -n 2
   2 2
   255
   $ tail -c 12 floor.ppm | bytes -w6

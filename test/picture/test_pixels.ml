@@ -1,4 +1,5 @@
-(* What is saved is read back by another program, pixel for pixel. *)
+(* What is saved is read back, pixel for pixel: BMP and PPM by hand, PNG by the
+   reader of bands. Other programs read it in other_readers.t. *)
 
 open Raylab_tracer
 open Raylab_picture
@@ -9,17 +10,34 @@ type image = {
   pixel : int -> int -> int * int * int;
 }
 
-let of_camlimages = function
-  | Images.Rgb24 image ->
-      let pixel x y =
-        let { Color.r; g; b } = Rgb24.get image x y in
-        (r, g, b)
-      in
-      { width = image.width; height = image.height; pixel }
-  | _ -> Alcotest.fail "not a picture of 24 bits a pixel"
+let load_bmp path =
+  let text = Sample.read path in
+  let length = String.length text in
+  let number at = Int32.to_int (String.get_int32_le text at) in
+  let width = number 18 and height = number 22 in
+  let stride = (length - 54) / height in
+  let check what expected at =
+    Alcotest.(check int) what expected (number at)
+  in
+  Alcotest.(check string) "what it is" "BM" (String.sub text 0 2);
+  check "length" length 2;
+  check "nothing" 0 6;
+  check "where the pixels start" 54 10;
+  check "information header" 40 14;
+  check "planes, and bits a pixel" ((24 lsl 16) + 1) 26;
+  check "no compression" 0 30;
+  check "bytes of pixels" (stride * height) 34;
+  check "no palette" 0 46;
+  check "no colours that matter" 0 50;
+  Alcotest.(check int) "rows are filled up" 0 (stride mod 4);
+  let pixel x y =
+    let k = 54 + (stride * (height - 1 - y)) + (3 * x) in
+    let byte i = Char.code text.[k + i] in
+    (byte 2, byte 1, byte 0)
+  in
+  { width; height; pixel }
 
-(* By hand: camlimages takes no PPM whose width or height has one digit. After
-   lines of comment and three numbers come a line end and the bytes. *)
+(* After lines of comment and three numbers come a line end and the bytes. *)
 let load_ppm path =
   let text = Sample.read path in
   let rec data_at lines at =
@@ -44,10 +62,23 @@ let load_ppm path =
       { width; height; pixel }
   | _ -> Alcotest.failf "%s is no PPM" path
 
-let load format path =
+let load_png ~width ~height path =
+  match
+    In_channel.with_open_bin path (fun channel ->
+        Png_file.read channel ~width ~height)
+  with
+  | None -> Alcotest.failf "%s is no PNG of this size" path
+  | Some rgb ->
+      let pixel x y =
+        let byte i = Bytes.get_uint8 rgb ((3 * ((y * width) + x)) + i) in
+        (byte 0, byte 1, byte 2)
+      in
+      { width; height; pixel }
+
+let load format path ~width ~height =
   match (format : Picture_file.format) with
-  | Bmp -> of_camlimages (Bmp.load path [])
-  | Png -> of_camlimages (Png.load path [])
+  | Bmp -> load_bmp path
+  | Png -> load_png path ~width ~height
   | Ppm -> load_ppm path
 
 let check_same what picture image =
@@ -76,8 +107,43 @@ let test_format format folder =
       Alcotest.(check (result unit string))
         "saved" (Ok ())
         (Picture_file.save format ~path picture);
-      check_same path picture (load format path))
+      check_same path picture (load format path ~width ~height))
     sizes
+
+(* {1 Pieces}
+
+   The file is the same in whatever pieces the rows come. *)
+
+let in_pieces count picture =
+  let width = Picture.width picture and height = Picture.height picture in
+  let rows = Rows.of_bytes ~width ~top:0 (Picture.to_rgb picture) in
+  let rec firsts y = if y < height then y :: firsts (y + count) else [] in
+  let iter ~lowest_first f =
+    let firsts = firsts 0 in
+    List.iter
+      (fun first ->
+        let rgb = rows ~first ~count:(Int.min count (height - first)) in
+        f rgb 0 (Bytes.length rgb))
+      (if lowest_first then List.rev firsts else firsts)
+  in
+  { (Pixels.of_picture picture) with iter }
+
+let test_pieces format folder =
+  let path = Filename.concat folder "a" in
+  let saved result =
+    Alcotest.(check (result unit string)) "saved" (Ok ()) result;
+    Sample.read path
+  in
+  let picture = Sample.picture ~width:63 ~height:65 in
+  let whole = saved (Picture_file.save format ~path picture) in
+  List.iter
+    (fun count ->
+      let pixels = in_pieces count picture in
+      Alcotest.(check bool)
+        (Printf.sprintf "%d at once" count)
+        true
+        (whole = saved (Picture_file.save_pixels format ~path pixels)))
+    [ 1; 2; 33; 64; 65 ]
 
 let starts_with prefix format folder =
   let path = Filename.concat folder "a" in
@@ -104,7 +170,9 @@ let suite =
       test "BMP" (test_format Bmp);
       test "PNG" (test_format Png);
       test "PPM" (test_format Ppm);
-      test "BMP signature" (starts_with "BM" Bmp);
+      test "pieces of BMP" (test_pieces Bmp);
+      test "pieces of PNG" (test_pieces Png);
+      test "pieces of PPM" (test_pieces Ppm);
       test "PNG signature" (starts_with "\x89PNG\r\n\x1a\n" Png);
       test "PPM signature" (starts_with "P6" Ppm);
       test "PPM bytes" test_ppm_bytes;

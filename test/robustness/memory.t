@@ -16,10 +16,13 @@ Bands are joined piece by piece: these have 30 MB each.
   $ for rows in 0-1999 2000-3999; do
   >   raylab render sky.scene -j 1 -q --size 5000x4000 --rows $rows -o $rows.ppm
   > done
-  $ raylab join 0-1999.ppm 2000-3999.ppm -q -o sky.bmp & pid=$!
-  $ peak=0; while now=$(awk '/VmHWM/ { print $2 }' /proc/$pid/status 2> /dev/null)
-  >   test -n "$now"; do peak=$now; sleep 0.02; done; wait $pid; rm sky.bmp *.ppm
-  $ test $peak -gt 1000 && test $peak -lt 24000 || echo "$peak kB"
+  $ for format in bmp png; do
+  >   raylab join 0-1999.ppm 2000-3999.ppm -q -o sky.$format & pid=$!
+  >   peak=0; while now=$(awk '/VmHWM/ { print $2 }' /proc/$pid/status 2> /dev/null)
+  >     test -n "$now"; do peak=$now; sleep 0.02; done; wait $pid
+  >   test $peak -gt 1000 && test $peak -lt 24000 || echo "$format: $peak kB"
+  > done
+  $ rm sky.bmp sky.png *.ppm
 
 What does not fit ends with one line. No file is there, new or half.
 

@@ -59,13 +59,13 @@ Where apt has OCaml 5
 ---------------------
 
   $ full_setup debian13 0 - --dry-run
-  setup: to be installed by apt: ocaml>=5.1 ocaml-findlib ocaml-dune>=3.17 menhir>=20230415 libmenhir-ocaml-dev utop libgraphics-ocaml-dev libcamlimages-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
+  setup: to be installed by apt: ocaml>=5.1 ocaml-findlib ocaml-dune>=3.17 menhir>=20230415 libmenhir-ocaml-dev utop libgraphics-ocaml-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   env DEBIAN_FRONTEND=noninteractive apt-get update
-  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libcamlimages-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
+  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   $ setup debian13 1000 sudo --dry-run --test
-  setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick slurm-wlm munge groff-base mandoc
+  setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
   sudo env DEBIAN_FRONTEND=noninteractive apt-get update
-  sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick slurm-wlm munge groff-base mandoc
+  sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
   $ setup testing 0 - --dry-run
   setup: to be installed by apt: ALL
   env DEBIAN_FRONTEND=noninteractive apt-get update
@@ -94,7 +94,7 @@ Only what is missing is installed, or too old, or removed but for its settings.
   > libmenhir-ocaml-dev 20240715+ds-1+b2 installed
   > utop 2.15.0-1+b9 config-files
   > libgraphics-ocaml-dev 5.1.2-3+b4 installed
-  > libcamlimages-ocaml-dev 1:5.0.5-2+b2 installed
+  > libzip-ocaml-dev 1.13-1+b2 installed
   > libcmdliner-ocaml-dev 1.3.0-2+b3 installed
   > libyojson-ocaml-dev 2.2.2-1+b2 installed
   > EOF
@@ -119,9 +119,9 @@ Nothing to do: no root, no network and no question.
   $ setup debian12 1000 -
   setup: everything is there already.
   $ setup debian13 0 - --dry-run --test
-  setup: to be installed by apt: libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick slurm-wlm munge groff-base mandoc
+  setup: to be installed by apt: libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
   env DEBIAN_FRONTEND=noninteractive apt-get update
-  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick slurm-wlm munge groff-base mandoc
+  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
   $ : > installed
 
 Debian 12
@@ -283,13 +283,13 @@ Elsewhere
   > ocamlformat 0.26.2
   > EOF
   $ setup ubuntu24 1000 opam --dry-run
-  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner=1.3.0 yojson>=2.0.0
-  opam install dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner=1.3.0 yojson\>=2.0.0
+  setup: to be installed by opam: dune>=3.17 graphics camlzip>=1.12 cmdliner=1.3.0 yojson>=2.0.0
+  opam install dune\>=3.17 graphics camlzip\>=1.12 cmdliner=1.3.0 yojson\>=2.0.0
   setup: to put dune on the PATH, run: eval $(opam env)
   $ setup fedora 1000 opam --dry-run --test --yes
-  setup: to be installed by opam: dune>=3.17 graphics conf-libpng camlimages>=5.0.5 cmdliner=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
-  opam install --yes dune\>=3.17 graphics conf-libpng camlimages\>=5.0.5 cmdliner=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
-  setup: the tests need also, from the system: tmux, Xvfb, xdotool, ImageMagick, Slurm (slurmctld and slurmd), munge, groff and mandoc.
+  setup: to be installed by opam: dune>=3.17 graphics camlzip>=1.12 cmdliner=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
+  opam install --yes dune\>=3.17 graphics camlzip\>=1.12 cmdliner=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
+  setup: the tests need also, from the system: tmux, Xvfb, xdotool, ImageMagick, netpbm, gdk-pixbuf-pixdata, stb_image.h, Slurm (slurmctld and slurmd), munge, groff and mandoc.
   setup: to put dune on the PATH, run: eval $(opam env)
   $ echo 'ocaml 4.14.2' > switch
   $ setup fedora 1000 opam --dry-run
@@ -304,8 +304,7 @@ Elsewhere
   > menhir 20240715
   > utop 2.15.0
   > graphics 5.1.2
-  > conf-libpng 1
-  > camlimages 5.0.5
+  > camlzip 1.13
   > cmdliner 1.3.0
   > yojson 2.2.2
   > EOF

@@ -279,8 +279,8 @@ Wrong
   raylab: tools: is a directory
   $ wrong sky.scene -o missing/a.bmp --bands 2
   raylab: $TESTCASE_ROOT/missing/a.slurm: No such file or directory
-  $ wrong sky.scene -o a.png --bands 2 --size 30000x10
-  raylab: a PNG of 30000 x 10 pixels is too large; the limit is 25000 a side. Use .bmp or .ppm
+  $ wrong sky.scene -o a.bmp --bands 2 --size 40000x40000
+  raylab: a BMP of 40000 x 40000 pixels is too large: no BMP has more than 4 GiB. Use .png or .ppm
   $ wrong sky.scene -o a.ppm --bands 2 --size 60000x60000
   raylab: the bands are too large, make more of them: a picture of 60000 x 30000 pixels would take 5.0 GiB of memory; the limit is 4 GiB
   $ echo 'imWidth x' > broken.scene

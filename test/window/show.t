@@ -70,14 +70,14 @@ A picture that goes to standard output is shown only if that is asked for, and
 then explained on standard error.
 
   $ raylab red.scene -o - 2> err | wc -c
-  32455
+  32454
   $ start red.scene render red.scene --show -o -
   $ click 60 45
   $ until_ok told 'pixel (60, 45)'
   $ press q
   $ ended
   $ wc -c < out
-  32455
+  32454
 
 Nobody may be there to read. The window does not get what is printed.
 

@@ -19,5 +19,5 @@ let pieces ~width ~first ~last =
 let iter ~lowest_first ~width ~first ~last f rows =
   let pieces = List.of_seq (pieces ~width ~first ~last) in
   List.iter
-    (fun (first, count) -> f ~first (rows ~first ~count))
+    (fun (first, count) -> f (rows ~first ~count))
     (if lowest_first then List.rev pieces else pieces)

@@ -1,4 +1,4 @@
-open Raylab_band
+open Raylab_picture
 
 let check what hex text =
   Alcotest.(check string) what hex (Crc32.to_hex (Crc32.add Crc32.empty text))

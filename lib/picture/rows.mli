@@ -19,7 +19,7 @@ val iter :
   width:int ->
   first:int ->
   last:int ->
-  (first:int -> bytes -> unit) ->
+  (bytes -> unit) ->
   t ->
   unit
 (** [iter ~lowest_first ~width ~first ~last f rows] is [f] of each of the

@@ -1,4 +1,4 @@
-open Raylab_band
+open Raylab_picture
 
 let check what expected ~width ~first ~last =
   Alcotest.(check (list (pair int int)))
@@ -20,9 +20,9 @@ let test_bytes () =
 
 let seen ~lowest_first ~width ~first ~last =
   let seen = ref [] in
-  Rows.iter ~lowest_first ~width ~first ~last
-    (fun ~first _ -> seen := first :: !seen)
-    (fun ~first:_ ~count:_ -> Bytes.empty);
+  Rows.iter ~lowest_first ~width ~first ~last ignore (fun ~first ~count:_ ->
+      seen := first :: !seen;
+      Bytes.empty);
   List.rev !seen
 
 let test_iter () =
