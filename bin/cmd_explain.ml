@@ -43,9 +43,7 @@ let swatches () =
 
 let text pixels =
   let swatches = swatches () in
-  let one (pixel, e) =
-    Format.asprintf "%a\n" (Report.pp_with ~swatches ~pixel) e
-  in
+  let one = Format.asprintf "%a\n" (Report.pp_pixel_with ~swatches) in
   String.concat "\n" (List.map one pixels)
 
 let steps scene pixels =
@@ -74,11 +72,11 @@ let explain options () =
   List.iter (check_pixel scene.camera) options.pixels;
   Options.warn options.view written;
   let prepared = Trace.prepare scene in
-  let explained (x, y) = ((x, y), Explain.pixel prepared ~x ~y) in
+  let explained (x, y) = Explain.pixel prepared ~x ~y in
   let pixels () = List.map explained options.pixels in
   let svg () =
-    let pixel, e = List.hd (pixels ()) in
-    Path_picture.to_svg ~pixel scene e
+    let pixel = List.hd (pixels ()) in
+    Path_picture.to_svg ~pixel:(pixel.x, pixel.y) scene (Explain.centre pixel)
   and said () =
     match options.form with
     | Text -> text (pixels ())
@@ -160,7 +158,7 @@ let cmd =
          environment variable $(b,NO_COLOR) is set.";
       `S "JSON";
       `P
-        "With $(b,--json) the output is one object, {\"version\": 1, \
+        "With $(b,--json) the output is one object, {\"version\": 2, \
          \"pixels\": [PIXEL, ...]}, where";
       `Pre Json_schema.text;
       `P

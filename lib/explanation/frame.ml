@@ -8,8 +8,8 @@ let distance u v = Vec3.length (Vec3.sub u v)
 
 (* {1 What is near} *)
 
-let balls (scene : Scene.t) =
-  List.filter_map (fun (o : Object.t) -> Shape.ball o.shape) scene.objects
+let boxes (scene : Scene.t) =
+  List.filter_map (fun (o : Object.t) -> Shape.box o.shape) scene.objects
 
 let hits e =
   List.map (fun ((h : Explain.surface_hit), _) -> h.hit.point) (Path.hits e)
@@ -21,7 +21,7 @@ let middle = function
       List.nth sorted ((List.length sorted - 1) / 2)
 
 (* How far from the eye something may be. *)
-let range (scene : Scene.t) balls hits =
+let range (scene : Scene.t) boxes hits =
   let { Camera.canvas_width = w; canvas_height = h; depth; _ } =
     scene.camera
   in
@@ -29,7 +29,7 @@ let range (scene : Scene.t) balls hits =
   let usual = 2. *. Float.max depth (Float.max w h) in
   let distances =
     List.filter Float.is_finite
-      (List.map (distance eye) (hits @ List.map Sphere.centre balls))
+      (List.map (distance eye) (hits @ List.map Box3.centre boxes))
   in
   Float.max usual (3. *. middle distances)
 
@@ -70,8 +70,8 @@ let widen { low; high } =
 let fit (scene : Scene.t) e =
   let { Camera.canvas_width = w; canvas_height = h; _ } = scene.camera in
   let eye = Camera.eye scene.camera in
-  let balls = balls scene and hits = hits e in
-  let range = range scene balls hits in
+  let boxes = boxes scene and hits = hits e in
+  let range = range scene boxes hits in
   let is_near point = distance eye point <= range in
   let canvas =
     [ Vec3.make (w /. -2.) (h /. -2.) 0.; Vec3.make (w /. 2.) (h /. 2.) 0. ]
@@ -82,15 +82,13 @@ let fit (scene : Scene.t) e =
         | Spherical position -> Some position
         | Directional _ -> None)
       scene.lights
-  and extents (ball : Sphere.t) =
-    let centre = Sphere.centre ball in
-    if distance eye centre +. ball.radius <= range then
-      let r = Vec3.make ball.radius ball.radius ball.radius in
-      [ Vec3.sub centre r; Vec3.add centre r ]
+  and extents (box : Box3.t) =
+    if distance eye (Box3.centre box) +. Box3.reach box <= range then
+      [ box.low; box.high ]
     else []
   in
   widen
     (around
        ((eye :: canvas)
        @ List.filter is_near (hits @ lights)
-       @ List.concat_map extents balls))
+       @ List.concat_map extents boxes))

@@ -2,7 +2,7 @@ open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 
-let version = 1
+let version = 2
 
 let number x : Yojson.Safe.t =
   match Float.classify_float x with
@@ -102,6 +102,23 @@ let light { Explain.number = n; light; verdict = v } : Yojson.Safe.t =
      ]
     @ verdict v)
 
+let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
+  `Assoc
+    [
+      ("object", object_ h.hit.number h.object_);
+      ("t", number h.hit.t);
+      ("point", vector h.hit.point);
+      ("normal", direction h.hit.normal);
+      ("outside", `Bool h.hit.outside);
+      ("part", int h.hit.part);
+      ("own_point", vector h.hit.own_point);
+      ("offset", number h.hit.offset);
+      ("emission", color h.lobes.emission);
+      ("albedo", color h.lobes.albedo);
+      ("mirror", color h.lobes.mirror);
+      ("lights", `List (List.map light h.lights));
+    ]
+
 let rec of_ray (e : Explain.t) : Yojson.Safe.t =
   let outcome, hit =
     match e.outcome with
@@ -116,38 +133,36 @@ let rec of_ray (e : Explain.t) : Yojson.Safe.t =
         ("color", color e.color);
         ("outcome", text outcome);
         ("hit", hit);
+        ("terms", `List (List.map of_term e.terms));
       ])
 
-and of_hit (h : Explain.surface_hit) =
+and of_term { Explain.source; color = c; ray } =
+  let of_source =
+    match source with
+    | Background | Emitted -> []
+    | Diffused { light } -> [ ("light", color light) ]
+    | Mirror -> [ ("ray", optional of_ray ray) ]
+  in
   `Assoc
-    [
-      ("object", object_ h.hit.number h.object_);
-      ("t", number h.hit.t);
-      ("point", vector h.hit.point);
-      ("normal", direction h.hit.normal);
-      ("offset", number h.hit.offset);
-      ("emission", color h.meaning.emission);
-      ("albedo", color h.meaning.albedo);
-      ("mirror", number h.meaning.mirror);
-      ("lights", `List (List.map light h.lights));
-      ("light", color h.light);
-      ("emitted", color h.emitted);
-      ("diffused", color h.diffused);
-      ("mirrored", color h.mirrored);
-      ("reflection", optional of_ray h.reflection);
-    ]
+    (("source", text (Event.source_name source))
+    :: ("color", color c)
+    :: of_source)
 
 (* {1 Documents} *)
 
-let of_pixel ((x, y), (e : Explain.t)) =
-  let r, g, b = Color.to_bytes e.color in
+let of_sample (e : Explain.t) =
+  `Assoc [ ("color", color e.color); ("ray", of_ray e) ]
+
+let of_pixel (pixel : Explain.pixel) =
+  let r, g, b = Color.to_bytes pixel.color in
   `Assoc
     [
-      ("x", int x);
-      ("y", int y);
+      ("x", int pixel.x);
+      ("y", int pixel.y);
       ("rgb", `List [ int r; int g; int b ]);
-      ("summary", text (Summary.to_string ~pixel:(x, y) e));
-      ("ray", of_ray e);
+      ("summary", text (Summary.of_pixel pixel));
+      ("color", color pixel.color);
+      ("samples", `List (List.map of_sample pixel.samples));
     ]
 
 let document pixels =

@@ -2,25 +2,35 @@ let text =
   {|PIXEL = { "x": INT, "y": INT,             from the left, from the top
           "rgb": [INT, INT, INT],         the bytes that a picture shows
           "summary": STRING,              the sentence of Summary
-          "ray": RAY }
+          "color": COLOR,                 the mean of the samples
+          "samples": [{ "color": COLOR,
+                        "ray": RAY }, ...] }
 
 RAY   = { "origin": VECTOR, "direction": VECTOR,
           "reach": NUMBER or null,        where it ends; null: nowhere
           "left": INT,                    rays left in the chain
-          "color": COLOR,
+          "color": COLOR,                 the terms, added from the left
           "outcome": "hit", "missed" or "chain ended",
-          "hit": HIT or null }            null unless it is "hit"
+          "hit": HIT or null,             null unless it is "hit"
+          "terms": [TERM, ...] }
+
+TERM  = { "source": "background", "emitted", "diffused" or "mirrored",
+          "color": COLOR,
+          "light": COLOR                  if diffused: the sum of what the
+                                          lights contribute
+          "ray": RAY or null }            if mirrored: the mirrored ray; null
+                                          if the mirror is 0
 
 HIT   = { "object": OBJECT,
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
+          "outside": BOOL,                whether that is the normal on the
+                                          outside of the object
+          "part": INT,                    which part of the object is hit
+          "own_point": VECTOR,            the point in the object's own
+                                          coordinates
           "offset": NUMBER,               along the normal, of rays to come
-          "emission": COLOR, "albedo": COLOR, "mirror": NUMBER,
-          "lights": [LIGHT, ...],         none if the albedo is 0
-          "light": COLOR,                 the sum of their contributions
-          "emitted": COLOR,               these three, added from the left,
-          "diffused": COLOR,              are the colour of the ray
-          "mirrored": COLOR,
-          "reflection": RAY or null }     null if the mirror is 0
+          "emission": COLOR, "albedo": COLOR, "mirror": COLOR,
+          "lights": [LIGHT, ...] }        none if the albedo is 0
 
 OBJECT  = { "number": INT, "line": INT or null,
             "shape": { "kind": WORD, PART: NUMBER or VECTOR, ... },
@@ -43,7 +53,7 @@ LIGHT   = { "number": INT, "line": INT or null,
             "verdict": "faces away", "blocked" or "lit",
             "cosine": NUMBER              if it faces away or is lit
             "shadow_ray":                 if blocked or lit
-              RAY, without left, color, outcome and hit;
+              the origin, direction and reach of a RAY;
               or null                     if lit: the light is where it
                                           would start
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked

@@ -1,4 +1,4 @@
 (** The schema of {!Json}, for people. *)
 
 val text : string
-(** [text] is the schema as the documentation of {!Json} has it. *)
+(** [text] says what a PIXEL of a document is, and all that it is made of. *)

@@ -42,17 +42,20 @@ let paints surface = List.rev (add_paints 1. [] surface)
 
 let rec starts_with_mirror = function
   | Surface.Mixed { parts = (_, first) :: _; _ } -> starts_with_mirror first
-  | surface -> (Surface.meaning surface).mirror > 0.
+  | surface -> Color.largest (Surface.lobes surface).mirror > 0.
 
 let glow emission =
   match Color_word.of_glow emission with
   | true, word -> "a faint " ^ word ^ " glow"
   | false, word -> Words.a word ^ " glow"
 
-let mix surface paints { Surface.emission; mirror; _ } =
+let mix surface paints { Lobes.emission; mirror; _ } =
   let paints =
     List.map (fun { word; part } -> Words.percent part ^ " " ^ word) paints
-  and mirror = if mirror = 0. then [] else [ Words.percent mirror ^ " mirror" ]
+  and mirror =
+    match Color.largest mirror with
+    | 0. -> []
+    | part -> [ Words.percent part ^ " mirror" ]
   and glow =
     if Color.equal emission Color.black then [] else [ glow emission ]
   in
@@ -71,19 +74,19 @@ let mirror part =
 
 let by_look number (o : Object.t) =
   let shape = Shape.name o.shape in
-  let meaning = Surface.meaning o.surface in
+  let lobes = Surface.lobes o.surface in
   let paints = paints o.surface in
-  let glows = not (Color.equal meaning.emission Color.black) in
+  let glows = not (Color.equal lobes.emission Color.black) in
   let with_shape look =
     Printf.sprintf "%s %s (object %d%s)" look shape number (line o.line)
   and without_shape look =
     Printf.sprintf "%s (%s %d%s)" look shape number (line o.line)
   in
-  match (paints, meaning.mirror > 0., glows) with
-  | [ { word; part = 1. } ], false, false -> with_shape word
-  | [], true, false -> without_shape (mirror meaning.mirror)
-  | [], false, true -> with_shape (luminous meaning.emission)
-  | [], false, false -> with_shape "black"
-  | paints, _, _ -> without_shape (mix o.surface paints meaning)
+  match (paints, Color.largest lobes.mirror, glows) with
+  | [ { word; part = 1. } ], 0., false -> with_shape word
+  | [], 0., true -> with_shape (luminous lobes.emission)
+  | [], 0., false -> with_shape "black"
+  | [], part, false -> without_shape (mirror part)
+  | paints, _, _ -> without_shape (mix o.surface paints lobes)
 
 let background c = Color_word.of_color c ^ " background"

@@ -20,7 +20,8 @@ let shadow_line { Explain.number; verdict; _ } =
       let meets = Some (by, blocker) in
       Some { kind = Blocked number; ray; length = t; meets }
 
-let rec lines_from kind (e : Explain.t) =
+let rec lines_from (e : Explain.t) =
+  let kind = match e.role with Primary -> Primary | Mirrored -> Mirrored in
   let endless kind =
     [ { kind; ray = e.ray; length = infinity; meets = None } ]
   in
@@ -29,23 +30,16 @@ let rec lines_from kind (e : Explain.t) =
   | Chain_ended -> endless Unfollowed
   | Hit h ->
       let meets = Some (h.hit.number, h.object_) in
-      let mirrored =
-        match h.reflection with
-        | None -> []
-        | Some next -> lines_from Mirrored next
-      in
       { kind; ray = e.ray; length = h.hit.t; meets }
       :: List.filter_map shadow_line h.lights
-      @ mirrored
+      @ List.concat_map lines_from (Explain.next e)
 
-let lines e = lines_from Primary e
+let lines = lines_from
 
 let rec hits (e : Explain.t) =
   match e.outcome with
   | Missed | Chain_ended -> []
-  | Hit h ->
-      (h, e.color)
-      :: (match h.reflection with None -> [] | Some next -> hits next)
+  | Hit h -> (h, e.color) :: List.concat_map hits (Explain.next e)
 
 let objects e =
   let met { meets; _ } = Option.map fst meets in

@@ -40,35 +40,44 @@ let print_light style ppf indent { Explain.number; light; verdict } =
         (Naming.by_number by blocker)
         Number.pp t Vec3.pp point
 
-let print_lights style ppf indent (h : Explain.surface_hit) =
-  if Color.equal h.meaning.albedo Color.black then
+let print_lights style ppf indent (h : Explain.surface_hit) all =
+  if Color.equal h.lobes.albedo Color.black then
     line ppf indent "lights do not matter: the albedo is 0"
   else if h.lights = [] then line ppf indent "there are no lights"
   else (
     List.iter (print_light style ppf indent) h.lights;
-    line ppf indent "all light: %a" (color style) h.light)
+    line ppf indent "all light: %a" (color style) all)
 
 (* {1 Rays} *)
 
-let print_hit ppf indent { Explain.hit; object_; meaning; _ } =
+let print_hit ppf indent { Explain.hit; object_; lobes; _ } =
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
     (Naming.by_number hit.number object_)
     Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
   line ppf indent "surface: %a" text
     (Format.asprintf "%a" Surface.pp object_.surface);
-  line ppf indent "that is, emission %a,@ albedo %a,@ mirror %a" Color.pp
-    meaning.emission Color.pp meaning.albedo Number.pp meaning.mirror
+  line ppf indent "that is, %a" Lobes.pp lobes
 
-let print_sum style ppf indent number (h : Explain.surface_hit) c =
-  let line format = line ppf indent format in
-  line "  emitted  %a" (color style) h.emitted;
-  line "+ diffused %a@ = albedo * all light" (color style) h.diffused;
-  (match h.reflection with
-  | None -> line "+ mirrored %a" (color style) h.mirrored
-  | Some _ ->
-      line "+ mirrored %a@ = %a * colour of ray %d" (color style) h.mirrored
-        Number.pp h.meaning.mirror (number + 1));
-  line "= colour of ray %d: %a" number (color style) c
+(* Of a term: its name, and how it came about. *)
+let print_term style ppf indent sign next (h : Explain.surface_hit)
+    { Explain.source; color = c; ray } =
+  let line format =
+    line ppf indent ("%s %-8s %a" ^^ format) sign (Event.source_name source)
+      (color style) c
+  in
+  match (source, ray) with
+  | Diffused _, _ -> line "@ = albedo * all light"
+  | Mirror, Some _ ->
+      line "@ = %a * colour of ray %d" Lobes.pp_factor h.lobes.mirror next
+  | (Background | Emitted | Mirror), _ -> line ""
+
+let print_sum style ppf indent number h (e : Explain.t) =
+  List.iteri
+    (fun i term ->
+      let sign = if i = 0 then " " else "+" in
+      print_term style ppf indent sign (number + 1) h term)
+    e.terms;
+  line ppf indent "= colour of ray %d: %a" number (color style) e.color
 
 (* Deeper rays are not moved further to the right: there must be room left. *)
 let deepest = 6
@@ -89,9 +98,9 @@ let rec print_ray style ppf number (e : Explain.t) =
         e.color
   | Hit h ->
       print_hit ppf indent h;
-      print_lights style ppf indent h;
-      Option.iter (print_ray style ppf (number + 1)) h.reflection;
-      print_sum style ppf indent number h e.color
+      print_lights style ppf indent h (Explain.light e);
+      List.iter (print_ray style ppf (number + 1)) (Explain.next e);
+      print_sum style ppf indent number h e
 
 (* {1 All of it} *)
 
@@ -112,3 +121,15 @@ let pp_with ?swatches ?pixel ppf e =
 let pp ppf e = pp_with ppf e
 let pp_summary ppf e = pp_summary_with ppf e
 let pp_tree ppf e = pp_tree_with ppf e
+
+(* {1 Pixels} *)
+
+let place { Explain.x; y; _ } = (x, y)
+
+let pp_pixel_with ?swatches ppf pixel =
+  pp_with ?swatches ~pixel:(place pixel) ppf (Explain.centre pixel)
+
+let pp_pixel ppf pixel = pp_pixel_with ppf pixel
+
+let pp_pixel_summary_with ?swatches ppf pixel =
+  pp_summary_with ?swatches ~pixel:(place pixel) ppf (Explain.centre pixel)

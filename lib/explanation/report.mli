@@ -38,3 +38,16 @@ val pp_summary_with :
   Explain.t ->
   unit
 (** [pp_summary_with] is {!pp_summary}, with the options of {!pp_with}. *)
+
+(** {1 Pixels} *)
+
+val pp_pixel : Format.formatter -> Explain.pixel -> unit
+(** [pp_pixel] is {!pp} of the pixel's sample, in words about the pixel. *)
+
+val pp_pixel_with :
+  ?swatches:Swatch.t -> Format.formatter -> Explain.pixel -> unit
+(** [pp_pixel_with ~swatches] is {!pp_pixel} with patches of colour. *)
+
+val pp_pixel_summary_with :
+  ?swatches:Swatch.t -> Format.formatter -> Explain.pixel -> unit
+(** [pp_pixel_summary_with ~swatches] is the summary alone. *)

@@ -10,9 +10,10 @@ let css color =
 
 (* A mirror has no colour of its own. *)
 let fill (o : Object.t) =
-  let { Surface.emission; albedo; mirror } = Surface.meaning o.surface in
+  let { Lobes.emission; albedo; mirror } = Surface.lobes o.surface in
   let own = Saturate.color (Color.add emission albedo) in
-  if mirror > 0. && Color.equal own Color.black then "rgb(205,218,228)"
+  if Color.largest mirror > 0. && Color.equal own Color.black then
+    "rgb(205,218,228)"
   else css own
 
 (* {1 Objects} *)
@@ -27,24 +28,24 @@ type item = {
 
 let item (view : View.t) met number (object_ : Object.t) =
   let size, nearness =
-    match Shape.ball object_.shape with
+    match Shape.box object_.shape with
     | None -> (infinity, neg_infinity)
-    | Some ball ->
-        (ball.radius, View.towards_viewer view.side (Sphere.centre ball))
+    | Some box ->
+        (Box3.reach box, View.towards_viewer view.side (Box3.centre box))
   in
   { number; object_; is_met = Hashtbl.mem met number; size; nearness }
 
 (* Whether a shape shows anything in the panel. *)
 let is_visible (view : View.t) item =
-  match Shape.ball item.object_.shape with
+  match Shape.box item.object_.shape with
   | None -> true
-  | Some ball ->
-      let x, y = View.point view (Sphere.centre ball) in
-      let r = view.scale *. ball.radius in
-      x +. r > view.left
-      && x -. r < view.left +. view.width
-      && y +. r > view.top
-      && y -. r < view.top +. view.height
+  | Some { low; high } ->
+      let left, bottom = View.point view low
+      and right, top = View.point view high in
+      right > view.left
+      && left < view.left +. view.width
+      && bottom > view.top
+      && top < view.top +. view.height
 
 let most_objects = 300
 

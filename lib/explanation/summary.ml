@@ -20,11 +20,17 @@ let by_blocker blocked =
   in
   Numbers.bindings (List.fold_left add Numbers.empty blocked)
 
-let lit (h : Explain.surface_hit) numbers =
+let diffused =
+  Explain.sum_of (function
+    | Diffused _ -> true
+    | Background | Emitted | Mirror -> false)
+
+let lit (e : Explain.t) numbers =
+  let diffused = diffused e in
   let but =
-    if not (shows_black h.diffused) then ""
-    else if is_black h.light then ", which gives no light"
-    else if is_black h.diffused then ", but returns nothing of its colour"
+    if not (shows_black diffused) then ""
+    else if is_black (Explain.light e) then ", which gives no light"
+    else if is_black diffused then ", but returns nothing of its colour"
     else ", but too weakly to be seen"
   in
   "lit by " ^ Words.lights numbers ^ but
@@ -54,7 +60,7 @@ let faces_away (h : Explain.surface_hit) lights =
       clause (Printf.sprintf "with %s behind it") behind
       @ clause (fun lights -> "edge-on to " ^ lights) beside
 
-let light_clauses (h : Explain.surface_hit) =
+let light_clauses e (h : Explain.surface_hit) =
   let pick choose = List.filter_map choose h.lights in
   let are_lit =
     pick (fun { number; verdict; _ } ->
@@ -70,36 +76,36 @@ let light_clauses (h : Explain.surface_hit) =
         | Faces_away { cosine } -> Some (number, cosine)
         | _ -> None)
   in
-  let clause say = function [] -> [] | some -> [ say h some ] in
+  let clause say = function [] -> [] | some -> [ say some ] in
   let clauses =
-    clause lit are_lit @ clause shadows are_blocked @ faces_away h are_behind
+    clause (lit e) are_lit
+    @ clause (shadows h) are_blocked
+    @ faces_away h are_behind
   in
-  if is_black h.meaning.albedo then []
+  if is_black h.lobes.albedo then []
   else if clauses = [] then [ "with no light in the scene" ]
   else if are_lit = [] then clauses @ [ "so that no light reaches it" ]
   else clauses
 
 (* {1 What a ray meets} *)
 
-let rec path (e : Explain.t) =
-  match e.outcome with
-  | Hit { reflection = Some next; _ } -> e :: path next
-  | _ -> [ e ]
+let rec path e =
+  match Explain.next e with [] -> [ e ] | next :: _ -> e :: path next
 
-let clauses (h : Explain.surface_hit) =
-  let { Surface.emission; albedo; mirror } = h.meaning in
-  if is_black emission && is_black albedo && mirror = 0. then
+let clauses e (h : Explain.surface_hit) =
+  let { Lobes.emission; albedo; mirror } = h.lobes in
+  if List.for_all is_black [ emission; albedo; mirror ] then
     [ "which returns no light" ]
-  else light_clauses h
+  else light_clauses e h
 
 (* [describe ~depth ~article path] is about the rays of [path], the last ones of
    a chain of at most [depth]. *)
 let rec describe ~depth ~article (path : Explain.t list) =
   match path with
-  | { outcome = Hit h; _ } :: rest ->
+  | ({ outcome = Hit h; _ } as e) :: rest ->
       let seen = { h.object_ with surface = h.surface } in
       let look = article (Naming.by_look h.hit.number seen) in
-      let clauses = clauses h in
+      let clauses = clauses e h in
       String.concat ", " (look :: clauses) ^ shows ~depth h rest
   | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)
   | { outcome = Chain_ended; color; _ } :: _ when depth = 0 ->
@@ -114,7 +120,7 @@ let rec describe ~depth ~article (path : Explain.t list) =
 
 and shows ~depth h rest =
   let the phrase = "the " ^ phrase in
-  let is_mirror = is_black h.meaning.albedo && is_black h.meaning.emission in
+  let is_mirror = is_black h.lobes.albedo && is_black h.lobes.emission in
   let verb = if is_mirror then " that shows" else ", whose mirror shows" in
   match rest with
   | [] -> ""
@@ -156,5 +162,9 @@ let subject ?pixel (e : Explain.t) =
     | Some (x, y) -> Printf.sprintf "pixel (%d, %d)" x y
   in
   Printf.sprintf "%s is rgb %d %d %d" what r g b
+
+let of_pixel ({ x; y; _ } as pixel : Explain.pixel) =
+  let e = Explain.centre pixel in
+  subject ~pixel:(x, y) e ^ ": " ^ reason e
 
 let to_string ?pixel e = subject ?pixel e ^ ": " ^ reason e

@@ -18,5 +18,9 @@ val subject : ?pixel:int * int -> Explain.t -> string
     the bytes that a picture shows; without a pixel it starts with [the ray].
 *)
 
+val of_pixel : Explain.pixel -> string
+(** [of_pixel pixel] is the sentence about [pixel], with its bytes before it.
+*)
+
 val to_string : ?pixel:int * int -> Explain.t -> string
 (** [to_string ~pixel e] is {!subject}, a colon, and {!reason}. *)

@@ -1,9 +1,10 @@
-open Numbers
-
 type t = {
   tree : Bvh_tree.t;
-  endless : Shape.t array;
+  numbers : int array; (* of the shapes in the tree, in its order *)
+  spheres : float array; (* x, y, z and radius of each of them *)
+  endless : Shape.t array; (* those that are outside of the tree *)
   endless_numbers : int array;
+  shapes : Shape.t array; (* all, by number *)
 }
 
 (* The distance at which a ray leaves a box is made larger by this part: more
@@ -42,26 +43,40 @@ let[@inline always] enters (boxes : Bvh_tree.boxes) at best ox oy oz x_scale
         (in_x > out_z || in_z > out_x || in_y > out_z || in_z > out_y
        || in_z > best || out_z < 0.)
 
-let[@inline] endless_distance bvh k ray =
-  Shape.nearest_raw (Array.unsafe_get bvh.endless k) ray
+(* Lets all shapes of a leaf offer what [ray] meets. *)
 
-let[@inline] leaf_blocks (tree : Bvh_tree.t) place (ray : Raw_ray.t) =
-  let s = tree.leaves.spheres and at = 4 * place in
-  let radius = s.%(at + 3) in
-  if radius < infinity then
-    Sphere.nearest_raw s.%(at) s.%(at + 1) s.%(at + 2) radius ray < ray.reach
-  else Bvh_leaves.other_distance tree.leaves place ray < ray.reach
+let[@inline] offer_spheres { numbers; spheres; _ } code ray meeting =
+  for place = Bvh_tree.leaf_first code to Bvh_tree.leaf_last code do
+    let number = Array.unsafe_get numbers place in
+    Sphere.offer_row spheres place ray meeting ~number
+  done
 
-(* Goes through the tree, the nearer child of each node first, with the other
-   children on [stack]. It narrows the ray's reach to the nearest hit on a
-   leaf's shape and is its place among the leaves, or -1. With [any] it stops
-   at the first hit that it meets. [endless] is the number of a shape outside
-   the tree that is already hit at the end of the reach. [others] is whether
-   leaves may have shapes that are no spheres. *)
-let[@inline always] descend ~any ~others tree stack endless (ray : Raw_ray.t) =
-  let { Bvh_tree.boxes; links; leaves; root } = tree in
-  let { Bvh_leaves.spheres; numbers; _ } = leaves in
-  let best = ref ray.reach and found = ref (-1) and number = ref endless in
+let[@inline never] offer_others { numbers; shapes; _ } code ray meeting =
+  for place = Bvh_tree.leaf_first code to Bvh_tree.leaf_last code do
+    let number = numbers.(place) in
+    Shape.offer shapes.(number) ray meeting ~number
+  done
+
+(* {1 The way through the tree} *)
+
+(* Where a walk is, while other shapes are asked. *)
+type walk = {
+  stack : int array; (* the nodes that are still to be visited *)
+  mutable top : int; (* the place of the last of them *)
+}
+
+let make_walk () =
+  { stack = Array.make (Bvh_tree.max_depth + 1) Bvh_tree.none; top = 0 }
+
+(* Goes through the tree from [code] on, the nearer child of each node first,
+   and lets spheres offer what [ray] meets. It stops at the first leaf of other
+   shapes, and with [any] at the first leaf where a sphere is met. Its result is
+   that leaf, or none.
+
+   Nothing here calls a function that is not inlined: a call, even one that is
+   never made, costs the loop 5 %. *)
+let descend ~any bvh walk (ray : Raw_ray.t) (meeting : Meeting.t) code =
+  let { Bvh_tree.boxes; links; _ } = bvh.tree and stack = walk.stack in
   let ox = ray.ox and oy = ray.oy and oz = ray.oz in
   let x_scale = 1. /. ray.dx
   and y_scale = 1. /. ray.dy
@@ -76,8 +91,8 @@ let[@inline always] descend ~any ~others tree stack endless (ray : Raw_ray.t) =
   let backwards = x_back lor (y_back lsl 1) lor (z_back lsl 2) in
   let x_in = x_back and y_in = 2 + y_back and z_in = 4 + z_back in
   let x_out = 1 - x_back and y_out = 3 - y_back and z_out = 5 - z_back in
-  Array.unsafe_set stack 0 Bvh_tree.none;
-  let code = ref root and top = ref 0 in
+  let code = ref code and top = ref walk.top and best = ref ray.reach in
+  let others = ref Bvh_tree.none in
   while !code <> Bvh_tree.none do
     if !code >= 0 then
       let node = !code in
@@ -105,108 +120,98 @@ let[@inline always] descend ~any ~others tree stack endless (ray : Raw_ray.t) =
       else (
         code := Array.unsafe_get stack !top;
         decr top)
+    else if Bvh_tree.leaf_kind !code = Other then (
+      others := !code;
+      code := Bvh_tree.none)
     else (
-      for place = Bvh_tree.leaf_first !code to Bvh_tree.leaf_last !code do
-        let at = 4 * place in
-        let x = spheres.%(at) and y = spheres.%(at + 1) in
-        let z = spheres.%(at + 2) and radius = spheres.%(at + 3) in
-        let middle = Sphere.middle x y z ray in
-        let discriminant = Sphere.discriminant x y z radius ray middle in
-        (* Nearly all spheres are missed: that is told from hits first. NaN
-           may hide another shape, and is no hit on a sphere. *)
-        if not (discriminant < 0.) then
-          let half = sqrt discriminant in
-          let near = middle -. half in
-          let t =
-            if others && radius = infinity then
-              (* the product lets [t] stay in a register *)
-              1. *. Bvh_leaves.other_distance leaves place ray
-            else if near > 0. then near
-            else middle +. half
-          in
-          let candidate = Array.unsafe_get numbers place in
-          if t > 0. && (t < !best || (t = !best && candidate < !number)) then (
-            best := t;
-            found := place;
-            number := candidate)
-      done;
-      if any && !found >= 0 then code := Bvh_tree.none
+      offer_spheres bvh !code ray meeting;
+      best := ray.reach;
+      if any && not (Meeting.is_none meeting) then code := Bvh_tree.none
       else (
         code := Array.unsafe_get stack !top;
         decr top))
   done;
-  ray.reach <- !best;
-  !found
+  walk.top <- !top;
+  !others
 
-(* Apart from the loop for spheres: a call inside that, even one that is never
-   made, costs it 3 %. *)
+let rec after_others ~any bvh walk ray meeting code =
+  offer_others bvh code ray meeting;
+  if not (any && not (Meeting.is_none meeting)) then (
+    let next = walk.stack.(walk.top) in
+    walk.top <- walk.top - 1;
+    go_on ~any bvh walk ray meeting next)
 
-let[@inline never] nearest_of_all tree stack endless ray =
-  descend ~any:false ~others:true tree stack endless ray
+(* The same, other shapes included. *)
+and go_on ~any bvh walk ray meeting code =
+  let code = descend ~any bvh walk ray meeting code in
+  if code <> Bvh_tree.none then after_others ~any bvh walk ray meeting code
 
-let[@inline never] any_of_all tree stack ray =
-  descend ~any:true ~others:true tree stack Query.no_shape ray
-
-let has_others (tree : Bvh_tree.t) = Array.length tree.leaves.shapes > 0
+let[@inline] search ~any bvh walk ray meeting =
+  walk.top <- 0;
+  let code = descend ~any bvh walk ray meeting bvh.tree.root in
+  if code <> Bvh_tree.none then after_others ~any bvh walk ray meeting code
 
 (* {1 Questions} *)
 
-let nearest bvh stack (ray : Raw_ray.t) =
-  let endless = ref Query.no_shape in
-  for k = 0 to Array.length bvh.endless - 1 do
-    let t = endless_distance bvh k ray in
-    if t < ray.reach then (
-      ray.reach <- t;
-      endless := Array.unsafe_get bvh.endless_numbers k)
-  done;
-  let place =
-    if has_others bvh.tree then nearest_of_all bvh.tree stack !endless ray
-    else descend ~any:false ~others:false bvh.tree stack !endless ray
-  in
-  if place < 0 then !endless else bvh.tree.leaves.numbers.(place)
+let[@inline] offer_endless { endless; endless_numbers; _ } k ray meeting =
+  Shape.offer
+    (Array.unsafe_get endless k)
+    ray meeting
+    ~number:(Array.unsafe_get endless_numbers k)
 
-let rec some_endless_blocks bvh (ray : Raw_ray.t) k =
-  k < Array.length bvh.endless
-  && (endless_distance bvh k ray < ray.reach
-     || some_endless_blocks bvh ray (k + 1))
+let nearest bvh walk ray meeting =
+  Meeting.clear meeting;
+  for k = 0 to Array.length bvh.endless - 1 do
+    offer_endless bvh k ray meeting
+  done;
+  search ~any:false bvh walk ray meeting
+
+let rec offer_endless_until_one bvh k ray meeting =
+  if k < Array.length bvh.endless then (
+    offer_endless bvh k ray meeting;
+    if Meeting.is_none meeting then
+      offer_endless_until_one bvh (k + 1) ray meeting)
 
 (* How many series of rays have their last blocker remembered. *)
 let max_series = 64
 
 (* Neighbouring points are often in the shadow of the same shape: the one that
    last blocked a ray of the series is asked first. *)
-let blocked bvh stack last_blockers series (ray : Raw_ray.t) =
+let blocked bvh walk last_blockers (blocker : Meeting.t) series ray =
   let series = series land (max_series - 1) in
   let last = last_blockers.(series) in
-  (last >= 0 && leaf_blocks bvh.tree last ray)
-  || some_endless_blocks bvh ray 0
-  ||
-  let place =
-    if has_others bvh.tree then any_of_all bvh.tree stack ray
-    else descend ~any:true ~others:false bvh.tree stack Query.no_shape ray
-  in
-  if place >= 0 then last_blockers.(series) <- place;
-  place >= 0
+  Meeting.clear blocker;
+  if last <> Meeting.none then
+    Shape.offer bvh.shapes.(last) ray blocker ~number:last;
+  if Meeting.is_none blocker then (
+    offer_endless_until_one bvh 0 ray blocker;
+    if Meeting.is_none blocker then search ~any:true bvh walk ray blocker;
+    if not (Meeting.is_none blocker) then
+      last_blockers.(series) <- blocker.number);
+  not (Meeting.is_none blocker)
 
 (* {1 Building} *)
 
-let index ?(domains = 1) ?(quick = true) shapes =
-  let is_endless (_, shape) = Option.is_none (Shape.ball shape) in
-  let endless = Array.of_seq (Seq.filter is_endless (Array.to_seqi shapes))
-  and leaves = Bvh_leaves.of_shapes ~quick shapes in
+let index ?(domains = 1) shapes =
+  let is_endless (_, shape) = Option.is_none (Shape.box shape) in
+  let endless = Array.of_seq (Seq.filter is_endless (Array.to_seqi shapes)) in
+  let leaves = Bvh_leaves.of_shapes shapes in
   let tree = Bvh_tree.build ~domains leaves in
-  Bvh_leaves.mark_others ~quick leaves;
   let bvh =
     {
       tree;
+      numbers = Bvh_leaves.numbers leaves;
+      spheres = Bvh_leaves.spheres leaves;
       endless = Array.map snd endless;
       endless_numbers = Array.map fst endless;
+      shapes;
     }
   in
   fun () ->
-    let stack = Array.make (Bvh_tree.max_depth + 1) Bvh_tree.none
-    and last_blockers = Array.make max_series (-1) in
+    let walk = make_walk ()
+    and last_blockers = Array.make max_series Meeting.none
+    and blocker = Meeting.create () in
     {
-      Query.nearest = (fun ray -> nearest bvh stack ray);
-      blocked = (fun series ray -> blocked bvh stack last_blockers series ray);
+      Finder.nearest = nearest bvh walk;
+      blocked = blocked bvh walk last_blockers blocker;
     }

@@ -1,14 +1,14 @@
 (** A bounding volume hierarchy: finds what a ray hits among [n] shapes in
     about [log n] steps.
 
-    The shapes that have a {!Shape.ball} are the leaves of a binary tree; each
+    The shapes that have a {!Shape.box} are the leaves of a binary tree; each
     inner node knows a box around each of its two subtrees, and a ray that
     misses a box misses all that is in it. Shapes without end are tested apart,
     for every ray. *)
 
-val index : ?domains:int -> ?quick:bool -> Shape.t array -> Query.index
+val index : ?domains:int -> Shape.t array -> Finder.index
 (** [index shapes] is an index over [shapes]. Its answers are those of
-    {!Query.brute_force}, bit for bit.
+    {!Finder.brute_force}, bit for bit.
 
     (Bit for bit, as long as a ray starts within a million times as far from
     the origin as the shapes lie; beyond that rounding errors may let a ray
@@ -16,9 +16,4 @@ val index : ?domains:int -> ?quick:bool -> Shape.t array -> Query.index
     about 1e154 cannot be squared, and a sphere there is not hit by either.)
 
     It is built in O(n log n), on at most [domains] domains, by default 1. It
-    takes about 80 bytes for each shape.
-
-    Spheres, of which a scene may have millions, are tested by their numbers.
-    With [~quick:false] they are tested as any other shape is, by
-    {!Shape.nearest_raw}, to the same answers: so tests can tell that another
-    shape would be. *)
+    takes about 80 bytes for each shape. *)

@@ -1,36 +1,48 @@
-(** The leaves of a bounding volume hierarchy: spheres, and the balls around
-    other shapes, as arrays of numbers that the building of the tree brings
-    into the order of its leaves. *)
+(** The shapes that a bounding volume hierarchy is built over, each known by
+    its box. Building the tree brings them into the order of its leaves. *)
 
-type t = private {
-  spheres : float array;  (** x, y, z and radius of each sphere or ball *)
-  numbers : int array;  (** the number of its shape, in the same order *)
-  shapes : Shape.t array;  (** the shapes by number; none if all are spheres *)
-}
+type t
+(** The type for leaves. Each lies at a place, from 0. *)
 
-val of_shapes : quick:bool -> Shape.t array -> t
-(** [of_shapes ~quick shapes] is those among [shapes] that have a
-    {!Shape.ball}, each with the number that is its place there. Spheres count
-    as other shapes if [quick] is false. *)
+val of_shapes : Shape.t array -> t
+(** [of_shapes shapes] is those among [shapes] that have a box; each has the
+    number that is its place there. *)
 
 val count : t -> int
-(** [count leaves] is the number of balls. *)
+(** [count leaves] is how many there are. *)
+
+val side : t -> int -> int -> float
+(** [side leaves place k] is a side of the box at [place]: for [k] from 0 to 5
+    the least x, the greatest x, and so on for y and z. *)
 
 val centre : t -> int -> int -> float
-(** [centre leaves place axis] is a coordinate of the centre of the ball at
+(** [centre leaves place axis] is a coordinate of the middle of the box at
     [place]: x for [axis] 0, y for 1 and z for 2. *)
 
-val radius : t -> int -> float
-(** [radius leaves place] is the radius of the ball at [place]. *)
+val partition : t -> (int -> bool) -> int -> int -> int
+(** [partition leaves goes_first first stop] moves those from [first] to
+    [stop - 1] at whose places [goes_first] holds to the front, and is the
+    place where the others start. *)
 
-val swap : t -> int -> int -> unit
-(** [swap leaves a b] exchanges the balls at [a] and [b]. *)
+(** {1 Kinds}
 
-val mark_others : quick:bool -> t -> unit
-(** [mark_others ~quick leaves] makes the radius of each ball infinite that is
-    not the shape itself, once the tree is built: so a ray that comes to it
-    hits the ball, and then {!other_distance} tells. *)
+    Spheres are tested by their numbers in a loop of their own, other shapes by
+    {!Shape.offer}. So that a node of the tree has one kind, its shapes do. *)
 
-val other_distance : t -> int -> Raw_ray.t -> float
-(** [other_distance leaves place ray] is {!Shape.nearest_raw} of the shape at
-    [place]. *)
+type kind = Sphere | Other  (** The type for kinds of shapes. *)
+
+val kind : t -> int -> kind
+(** [kind leaves place] is the kind of the shape at [place]. *)
+
+val one_kind : t -> int -> int -> bool
+(** [one_kind leaves first stop] is whether those from [first] to [stop - 1],
+    at least one, are of one kind. *)
+
+(** {1 In the order of the leaves} *)
+
+val numbers : t -> int array
+(** [numbers leaves] is the number of the shape at each place. *)
+
+val spheres : t -> float array
+(** [spheres leaves] is the x, y, z and radius of the sphere at each place, and
+    of no meaning for other shapes. *)

@@ -3,22 +3,30 @@ open Raylab_parallel
 
 type boxes = (float, float64_elt, c_layout) Array1.t
 type links = (int, int_elt, c_layout) Array1.t
-type t = { boxes : boxes; links : links; leaves : Bvh_leaves.t; root : int }
+type t = { boxes : boxes; links : links; root : int }
+
+(* {1 Codes} *)
 
 let none = min_int
 let max_leaf = 16
-let leaf first count = lnot ((first * max_leaf) + count - 1)
-let[@inline] leaf_first code = lnot code / max_leaf
+
+let leaf kind first count =
+  let kind = match (kind : Bvh_leaves.kind) with Sphere -> 0 | Other -> 1 in
+  lnot ((((first * max_leaf) + count - 1) * 2) + kind)
+
+let[@inline] leaf_kind code : Bvh_leaves.kind =
+  if lnot code land 1 = 0 then Sphere else Other
+
+let[@inline] leaf_first code = lnot code / (2 * max_leaf)
 
 let[@inline] leaf_last code =
-  let code = lnot code in
-  (code / max_leaf) + (code land (max_leaf - 1))
+  leaf_first code + (lnot code / 2 land (max_leaf - 1))
 
 let max_depth = Bvh_split.max_depth
 
 (* {1 Boxes} *)
 
-(* A ray that touches a sphere may, by rounding errors, pass its box by a
+(* A ray that touches a shape may, by rounding errors, pass its box by a
    hair. *)
 let room least greatest =
   0x1p-30 *. Float.max (abs_float least) (abs_float greatest)
@@ -34,56 +42,48 @@ let write_box tree node child (box : float array) =
 
 (* {1 Building} *)
 
-(* [divide tree space node split first stop] writes the boxes of the children of
-   [node], puts their spheres apart, and is the place where the second child's
-   begin. *)
-let divide tree space node (split : Bvh_split.t) first stop =
-  let leaves = tree.leaves in
-  match split with
-  | Bins (axis, bin) ->
-      let last = Bvh_split.last_bin space in
-      write_box tree node 0 (Bvh_split.box_of_bins space axis 0 bin);
-      write_box tree node 1 (Bvh_split.box_of_bins space axis (bin + 1) last);
-      tree.links.{(3 * node) + 2} <- axis;
-      Bvh_split.partition leaves space axis bin first stop
-  | Halves | Leaf ->
-      let middle = (first + stop) / 2 in
-      write_box tree node 0
-        (Bvh_split.box_of_spheres leaves space first middle);
-      write_box tree node 1 (Bvh_split.box_of_spheres leaves space middle stop);
-      tree.links.{(3 * node) + 2} <- 0;
-      middle
+(* [divide tree leaves space node split first stop] puts the shapes of the
+   children of [node] apart, writes their boxes, and is the place where the
+   second child's begin. *)
+let divide tree leaves space node split first stop =
+  let middle = Bvh_split.partition leaves space split first stop in
+  write_box tree node 0 (Bvh_split.box leaves space first middle);
+  write_box tree node 1 (Bvh_split.box leaves space middle stop);
+  tree.links.{(3 * node) + 2} <- Bvh_split.axis space;
+  middle
 
 (* A part of the tree that is still to be built: whose child it is, which
-   spheres it has, and how deep it lies. *)
+   shapes it has, and how deep it lies. *)
 type part = { parent : int; first : int; stop : int; depth : int }
 
-(* [grow tree next_node space parts part] builds [part]; parts of at most
-   [small] spheres it leaves to [later]. *)
-let rec grow tree next_node space ~small later part =
+(* [grow tree leaves next_node space parts part] builds [part]; parts of at most
+   [small] shapes it leaves to [later]. *)
+let rec grow tree leaves next_node space ~small later part =
   let { parent; first; stop; depth } = part in
   if stop - first <= small then later part
   else
     let link code = tree.links.{parent} <- code in
-    match Bvh_split.choose tree.leaves space ~max_leaf ~depth first stop with
-    | Leaf -> link (leaf first (stop - first))
+    match Bvh_split.choose leaves space ~max_leaf ~depth first stop with
+    | Leaf -> link (leaf (Bvh_leaves.kind leaves first) first (stop - first))
     | split ->
         let node = Atomic.fetch_and_add next_node 1 in
         link node;
-        let middle = divide tree space node split first stop in
+        let middle = divide tree leaves space node split first stop in
         let child k first stop =
-          grow tree next_node space ~small later
+          grow tree leaves next_node space ~small later
             { parent = (3 * node) + k; first; stop; depth = depth + 1 }
         in
         child 0 first middle;
         child 1 middle stop
 
-(* Fewer spheres are not worth another domain's start. *)
+(* Fewer shapes are not worth another domain's start. *)
 let worth_a_domain = 10_000
 
-let grow_all ~domains tree next_node all =
+let grow_all ~domains tree leaves next_node all =
   let count = all.stop - all.first in
-  let grow_rest space part = grow tree next_node space ~small:0 ignore part in
+  let grow_rest space part =
+    grow tree leaves next_node space ~small:0 ignore part
+  in
   if domains = 1 || count < 2 * worth_a_domain then
     grow_rest (Bvh_split.make_space ()) all
   else
@@ -91,7 +91,7 @@ let grow_all ~domains tree next_node all =
     let parts = ref [] in
     let small = Int.max worth_a_domain (count / (8 * domains)) in
     let later part = parts := part :: !parts in
-    grow tree next_node (Bvh_split.make_space ()) ~small later all;
+    grow tree leaves next_node (Bvh_split.make_space ()) ~small later all;
     let parts = Array.of_list !parts in
     ignore
       (Parallel.iter ~domains ~worker:Bvh_split.make_space
@@ -105,12 +105,11 @@ let build ~domains leaves =
     {
       boxes = Array1.create Float64 C_layout (12 * inner);
       links = Array1.create Int C_layout (root_link + 1);
-      leaves;
       root = none;
     }
   in
   tree.links.{root_link} <- none;
   if count > 0 then
-    grow_all ~domains tree (Atomic.make 0)
+    grow_all ~domains tree leaves (Atomic.make 0)
       { parent = root_link; first = 0; stop = count; depth = 0 };
   { tree with root = tree.links.{root_link} }

@@ -13,25 +13,27 @@ type t = private {
   links : links;
       (** three for each inner node: the code of each child, and the axis (0, 1
           or 2) along which the first child comes before the second *)
-  leaves : Bvh_leaves.t;  (** the spheres, in the order of the leaves *)
   root : int;  (** the code of the whole tree *)
 }
 (** The type for trees. An inner node's code is its number; a leaf's is
-    negative, see {!leaf_first} and {!leaf_last}; that of no node is {!none}.
-*)
+    negative: {!leaf_kind}, {!leaf_first} and {!leaf_last} read it. That of no
+    node is {!none}. *)
 
 val none : int
 (** [none] is the code of an empty tree. *)
 
+val leaf_kind : int -> Bvh_leaves.kind
+(** [leaf_kind code] is the kind of all shapes of the leaf. *)
+
 val leaf_first : int -> int
-(** [leaf_first code] is the place of the leaf's first sphere. *)
+(** [leaf_first code] is the place of the leaf's first shape. *)
 
 val leaf_last : int -> int
-(** [leaf_last code] is the place of the leaf's last sphere. *)
+(** [leaf_last code] is the place of the leaf's last shape. *)
 
 val max_depth : int
 (** [max_depth] is a bound on the number of inner nodes above any leaf. *)
 
 val build : domains:int -> Bvh_leaves.t -> t
-(** [build ~domains leaves] is the tree over these spheres, which it brings
-    into the order of the leaves; split as {!Bvh_split} chooses. *)
+(** [build ~domains leaves] is the tree over these shapes, which it brings into
+    the order of the leaves; split as {!Bvh_split} chooses. *)

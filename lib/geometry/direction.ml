@@ -32,8 +32,4 @@ let of_vec3_exn v =
            (if Vec3.is_finite v then "is zero" else "is not finite"))
 
 let neg = Vec3.neg
-
-let reflect d ~normal =
-  of_vec3_or d (Vec3.sub d (Vec3.scale (2. *. Vec3.dot d normal) normal))
-
 let pp = Vec3.pp

@@ -22,10 +22,5 @@ val of_vec3_or : t -> Vec3.t -> t
 val neg : t -> t
 (** [neg d] is the opposite direction. *)
 
-val reflect : t -> normal:t -> t
-(** [reflect d ~normal] is [d] mirrored in the plane perpendicular to [normal]:
-    [d - 2 (d . n) n]. The side to which [normal] points makes no difference.
-*)
-
 val pp : Format.formatter -> t -> unit
 (** [pp] prints like {!Vec3.pp}. *)

@@ -11,27 +11,54 @@ let name = "plane"
 let parts { point; normal } =
   [ ("point", Part.Vector point); ("normal", Part.Vector (normal :> Vec3.t)) ]
 
+let[@inline] approach (n : Vec3.t) (ray : Raw_ray.t) =
+  (ray.dx *. n.x) +. (ray.dy *. n.y) +. (ray.dz *. n.z)
+
 (* The distance at which the line meets the plane. For a parallel line it is
    infinite, or NaN if the line lies in the plane. *)
-let[@inline] distance px py pz nx ny nz (ray : Raw_ray.t) =
+let[@inline] distance { point = p; normal } (ray : Raw_ray.t) =
+  let n = (normal :> Vec3.t) in
   let height =
-    ((px -. ray.ox) *. nx) +. ((py -. ray.oy) *. ny) +. ((pz -. ray.oz) *. nz)
-  and approach = (ray.dx *. nx) +. (ray.dy *. ny) +. (ray.dz *. nz) in
-  height /. approach
+    ((p.x -. ray.ox) *. n.x)
+    +. ((p.y -. ray.oy) *. n.y)
+    +. ((p.z -. ray.oz) *. n.z)
+  in
+  height /. approach n ray
 
-let[@inline] nearest_raw px py pz nx ny nz ray =
-  let t = distance px py pz nx ny nz ray in
-  (* false for NaN *)
-  if t > 0. then t else infinity
+let[@inline] offer plane ray meeting ~number =
+  Meeting.offer meeting ray ~number ~part:0 (distance plane ray)
 
-let intersections { point = p; normal } (ray : Ray.t) =
+(* Of a line along the plane it is the origin that tells on which side all of
+   it lies. *)
+let crossings ({ point; normal } as plane) (ray : Raw_ray.t) crossings =
   let n = (normal :> Vec3.t) in
-  let t = distance p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t) in
-  if Float.is_finite t then [ t ] else []
+  let t = distance plane ray and approach = approach n ray in
+  let is_met = Float.is_finite t in
+  let starts_inside =
+    if is_met then approach > 0.
+    else
+      let origin = Vec3.make ray.ox ray.oy ray.oz in
+      Vec3.dot (Vec3.sub origin point) n < 0.
+  in
+  Crossings.clear crossings ~starts_inside;
+  if is_met then Crossings.add crossings ~part:0 t
 
-let nearest { point = p; normal } (ray : Ray.t) =
+(* A plane across an axis has all its points at one coordinate. It has a normal
+   with two zeros; the third number is 1 within rounding only. *)
+let[@inline] is_across a b = a = 0. && b = 0.
+
+let settle { point = p; normal } ray (spot : Spot.t) =
   let n = (normal :> Vec3.t) in
-  nearest_raw p.x p.y p.z n.x n.y n.z (ray :> Raw_ray.t)
+  let x = Raw_ray.end_x ray
+  and y = Raw_ray.end_y ray
+  and z = Raw_ray.end_z ray in
+  Spot.set_normal spot n.x n.y n.z;
+  Spot.set_point spot x y z;
+  Spot.set_own spot
+    (if is_across n.y n.z then p.x else x)
+    (if is_across n.z n.x then p.y else y)
+    (if is_across n.x n.y then p.z else z);
+  spot.size <- 0.
 
 (* Nine digits, and nothing where only rounding errors are left. *)
 let rounded ~least x =

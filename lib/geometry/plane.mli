@@ -17,20 +17,20 @@ val parts : t -> (string * Part.t) list
 (** [parts plane] is what is written after its word, in that order, each part
     with its name: ["point"] and ["normal"]. *)
 
-val intersections : t -> Ray.t -> float list
-(** [intersections plane ray] is all [t], negative ones included, for which
-    [Ray.at ray t] lies on [plane]: one, or none if the ray is parallel to the
-    plane, inside it or not. The ray's reach is not looked at. *)
+(** {1 What is hit}
 
-val nearest : t -> Ray.t -> float
-(** [nearest plane ray] is the one of {!intersections} if it is greater than 0,
-    and [infinity] otherwise. *)
+    With [n] the normal and [p] the point, the line of a ray from [o] along [d]
+    meets the plane at [(p - o) . n / d . n]; not at all if it is parallel to
+    it, inside it or not. The inside is the side away from the normal. *)
 
-val nearest_raw :
-  float -> float -> float -> float -> float -> float -> Raw_ray.t -> float
-(** [nearest_raw px py pz nx ny nz ray] is {!nearest} for the plane through
-    (px, py, pz) with the unit normal (nx, ny, nz), for inner loops that keep
-    planes as numbers. *)
+val offer : t -> Raw_ray.t -> Meeting.t -> number:int -> unit
+(** [offer plane] is {!Shape.offer}. *)
+
+val settle : t -> Raw_ray.t -> Spot.t -> unit
+(** [settle plane] is {!Shape.settle}: the spot is the end of the ray. *)
+
+val crossings : t -> Raw_ray.t -> Crossings.t -> unit
+(** [crossings plane] is {!Shape.crossings_raw}: one or none. *)
 
 val place : t -> float array
 (** [place plane] is numbers that say where [plane] is, to about nine digits:

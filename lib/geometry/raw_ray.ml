@@ -16,6 +16,10 @@ let[@inline] set_origin ray x y z =
   ray.oy <- y;
   ray.oz <- z
 
+let[@inline] end_x ray = ray.ox +. (ray.reach *. ray.dx)
+let[@inline] end_y ray = ray.oy +. (ray.reach *. ray.dy)
+let[@inline] end_z ray = ray.oz +. (ray.reach *. ray.dz)
+
 let[@inline] set_direction ray x y z =
   ray.dx <- x;
   ray.dy <- y;

@@ -23,3 +23,12 @@ val set_origin : t -> float -> float -> float -> unit
 val set_direction : t -> float -> float -> float -> unit
 (** [set_direction ray x y z] makes [ray] go along (x, y, z), whose length must
     be 1. *)
+
+val end_x : t -> float
+(** [end_x ray] is the x of the point at the end of [ray]'s reach. *)
+
+val end_y : t -> float
+(** [end_y ray] is its y. *)
+
+val end_z : t -> float
+(** [end_z ray] is its z. *)

@@ -16,6 +16,7 @@ let towards ~origin ~target ~short =
   Option.map with_direction (Direction.of_vec3 way)
 
 let of_raw (register : Raw_ray.t) = { register with ox = register.ox }
+let to_raw = of_raw
 let origin (ray : t) = Vec3.make ray.ox ray.oy ray.oz
 let reach (ray : t) = ray.reach
 
@@ -30,7 +31,9 @@ let[@inline] at (ray : t) t =
     (ray.oz +. (t *. ray.dz))
 
 let reflect ray ~point ~normal =
-  make ~origin:point ~direction:(Direction.reflect (direction ray) ~normal)
+  let mirrored = to_raw ray in
+  Spot.reflect (Spot.of_point ~point ~normal ~offset:0.) mirrored;
+  mirrored
 
 let pp ppf (ray : t) =
   Format.fprintf ppf "%a + t %a" Vec3.pp (origin ray) Direction.pp

@@ -16,6 +16,9 @@ val of_raw : Raw_ray.t -> t
 (** [of_raw register] is the ray that [register] holds now. The direction there
     must have length 1. *)
 
+val to_raw : t -> Raw_ray.t
+(** [to_raw ray] is a new register that holds [ray]. *)
+
 val origin : t -> Vec3.t
 (** [origin ray] is the point where [ray] starts. *)
 

@@ -7,30 +7,49 @@ let plane ~point ~normal =
 
 (* {1 What is hit} *)
 
-let intersections = function
-  | Sphere s -> Sphere.intersections s
-  | Plane p -> Plane.intersections p
+let box = function Sphere s -> Some (Sphere.box s) | Plane _ -> None
 
-let[@inline] nearest_raw shape ray =
+let offer shape ray meeting ~number =
   match shape with
-  | Sphere { cx; cy; cz; radius } -> Sphere.nearest_raw cx cy cz radius ray
-  | Plane { point = p; normal } ->
-      let n = (normal :> Vec3.t) in
-      Plane.nearest_raw p.x p.y p.z n.x n.y n.z ray
+  | Sphere s -> Sphere.offer s ray meeting ~number
+  | Plane p -> Plane.offer p ray meeting ~number
 
-let nearest shape (ray : Ray.t) = nearest_raw shape (ray :> Raw_ray.t)
-
-let[@inline] normal_raw shape x y z =
+let crossings_raw shape ray crossings =
   match shape with
-  | Sphere s -> Sphere.normal s (Vec3.make x y z)
-  | Plane p -> p.normal
+  | Sphere s -> Sphere.crossings s ray crossings
+  | Plane p -> Plane.crossings p ray crossings
 
-let normal shape { Vec3.x; y; z } = normal_raw shape x y z
+let settle shape ~part:_ ray spot =
+  match shape with
+  | Sphere s -> Sphere.settle s ray spot
+  | Plane p -> Plane.settle p ray spot
+
+(* {1 The same of values} *)
+
+let nearest shape ray =
+  let raw = Ray.to_raw ray and meeting = Meeting.create () in
+  raw.reach <- infinity;
+  offer shape raw meeting ~number:0;
+  if Meeting.is_none meeting then None else Some (raw.reach, meeting.part)
+
+let crossings shape ray =
+  let crossings = Crossings.create () in
+  crossings_raw shape (Ray.to_raw ray) crossings;
+  Crossings.to_list crossings
+
+let intersections shape ray =
+  List.map (fun (c : Crossings.crossing) -> c.t) (crossings shape ray)
+
+(* The point is the end of a ray that has just begun there. *)
+let normal shape ?(part = 0) { Vec3.x; y; z } =
+  let ray = Raw_ray.create () and spot = Spot.create () in
+  Raw_ray.set_origin ray x y z;
+  ray.reach <- 0.;
+  settle shape ~part ray spot;
+  Spot.normal spot
 
 let depth shape point =
   match shape with Sphere s -> Sphere.depth s point | Plane _ -> neg_infinity
-
-let ball = function Sphere s -> Some s | Plane _ -> None
 
 (* {1 What is told} *)
 

@@ -3,8 +3,8 @@
     A new shape is a module of its own like {!module-Sphere}, a constructor
     here, and a case in each function below that the compiler asks for; see
     [doc/adding-a-shape.md]. Nothing else that renders or explains a scene
-    knows which shapes there are, but for the hierarchy and the evaluator,
-    which have a quicker way for spheres. *)
+    knows which shapes there are, but for the hierarchy, which keeps spheres as
+    numbers. *)
 
 type t = Sphere of Sphere.t | Plane of Plane.t  (** The type for shapes. *)
 
@@ -18,35 +18,52 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
     Raises [Invalid_argument] if a coordinate is not finite or [normal] is the
     zero vector. *)
 
-(** {1 What is hit} *)
+(** {1 What is hit}
+
+    All on registers, for inner loops: nothing here allocates. *)
+
+val box : t -> Box3.t option
+(** [box shape] is a box that holds all of [shape], the smaller the better;
+    [None] if there is none, since [shape] has no end. *)
+
+val offer : t -> Raw_ray.t -> Meeting.t -> number:int -> unit
+(** [offer shape ray meeting ~number] is {!Meeting.offer} of the least [t > 0]
+    at which [ray] meets [shape], which goes by [number], and of the part that
+    it meets there. *)
+
+val settle : t -> part:int -> Raw_ray.t -> Spot.t -> unit
+(** [settle shape ~part ray spot] puts into [spot] what [shape] knows of the
+    place where [ray], whose reach ends there, meets its [part]: the point, as
+    exactly on [shape] as can be, the outward normal, the own point and the
+    size. *)
+
+val crossings_raw : t -> Raw_ray.t -> Crossings.t -> unit
+(** [crossings_raw shape ray crossings] puts all places where the line of [ray]
+    crosses [shape] into [crossings]. The ray's reach is not looked at. *)
+
+(** {1 The same of values} *)
+
+val nearest : t -> Ray.t -> (float * int) option
+(** [nearest shape ray] is the least distance greater than 0 at which [ray]
+    meets [shape], and the part that it meets. The ray's reach is not looked
+    at. *)
+
+val crossings : t -> Ray.t -> Crossings.crossing list
+(** [crossings shape ray] is all places where the line of [ray] crosses
+    [shape], in ascending order; those at negative distances lie behind the
+    ray's origin. The ray's reach is not looked at. *)
 
 val intersections : t -> Ray.t -> float list
-(** [intersections shape ray] is all distances [t], in ascending order, at
-    which the line of [ray] meets [shape]; negative ones lie behind the ray's
-    origin. The ray's reach is not looked at. *)
+(** [intersections shape ray] is the distances of {!crossings}. *)
 
-val nearest : t -> Ray.t -> float
-(** [nearest shape ray] is the least of {!intersections} that is greater than
-    0, or [infinity] if there is none. *)
-
-val nearest_raw : t -> Raw_ray.t -> float
-(** [nearest_raw shape ray] is {!nearest} for a ray in a register. *)
-
-val normal : t -> Vec3.t -> Direction.t
-(** [normal shape point] is the unit normal of [shape] at [point], a point of
-    [shape]: outward for a sphere, as given for a plane. *)
-
-val normal_raw : t -> float -> float -> float -> Direction.t
-(** [normal_raw shape x y z] is {!normal} at (x, y, z), for inner loops. *)
+val normal : t -> ?part:int -> Vec3.t -> Direction.t
+(** [normal shape ~part point] is the unit normal of [part], by default 0, at
+    [point], a point of [shape]: outward for a sphere, as given for a plane. *)
 
 val depth : t -> Vec3.t -> float
 (** [depth shape point] is how far inside of [shape] [point] is, negative
     outside; [neg_infinity] for a shape that is not closed. Each way from a
     point inside to one outside hits [shape]. *)
-
-val ball : t -> Sphere.t option
-(** [ball shape] is a sphere that holds all of [shape], the smaller the better;
-    [None] if there is none, since [shape] has no end. *)
 
 (** {1 What is told} *)
 

@@ -1,3 +1,5 @@
+open Numbers
+
 type t = { cx : float; cy : float; cz : float; radius : float }
 
 let make ~(centre : Vec3.t) ~radius =
@@ -9,6 +11,11 @@ let make ~(centre : Vec3.t) ~radius =
 
 let name = "sphere"
 let centre s = Vec3.make s.cx s.cy s.cz
+
+let box { cx; cy; cz; radius = r } =
+  Box3.make
+    ~low:(Vec3.make (cx -. r) (cy -. r) (cz -. r))
+    ~high:(Vec3.make (cx +. r) (cy +. r) (cz +. r))
 
 (* Where along the ray the point nearest to the centre is. *)
 let[@inline] middle cx cy cz (ray : Raw_ray.t) =
@@ -23,30 +30,58 @@ let[@inline] discriminant cx cy cz radius (ray : Raw_ray.t) middle =
   and lz = cz -. ray.oz -. (middle *. ray.dz) in
   (radius *. radius) -. ((lx *. lx) +. (ly *. ly) +. (lz *. lz))
 
-let[@inline] nearest_raw cx cy cz radius ray =
+let[@inline] offer_numbers cx cy cz radius ray meeting ~number =
   let middle = middle cx cy cz ray in
   let discriminant = discriminant cx cy cz radius ray middle in
   (* false for NaN *)
   if discriminant >= 0. then
     let half = sqrt discriminant in
     let near = middle -. half in
-    if near > 0. then near
-    else
-      let far = middle +. half in
-      if far > 0. then far else infinity
-  else infinity
+    let t = if near > 0. then near else middle +. half in
+    Meeting.offer meeting ray ~number ~part:0 t
 
-let nearest { cx; cy; cz; radius } (ray : Ray.t) =
-  nearest_raw cx cy cz radius (ray :> Raw_ray.t)
+let[@inline] offer { cx; cy; cz; radius } ray meeting ~number =
+  offer_numbers cx cy cz radius ray meeting ~number
 
-let intersections { cx; cy; cz; radius } (ray : Ray.t) =
-  let ray = (ray :> Raw_ray.t) in
+let[@inline] offer_row rows place ray meeting ~number =
+  let at = 4 * place in
+  offer_numbers rows.%(at)
+    rows.%(at + 1)
+    rows.%(at + 2)
+    rows.%(at + 3)
+    ray meeting ~number
+
+let crossings { cx; cy; cz; radius } ray crossings =
   let middle = middle cx cy cz ray in
   let discriminant = discriminant cx cy cz radius ray middle in
-  if discriminant >= 0. && discriminant < infinity then
+  Crossings.clear crossings ~starts_inside:false;
+  if discriminant >= 0. && discriminant < infinity then (
     let half = sqrt discriminant in
-    [ middle -. half; middle +. half ]
-  else []
+    Crossings.add crossings ~part:0 (middle -. half);
+    Crossings.add crossings ~part:0 (middle +. half))
+
+(* The end of the ray carries the rounding errors of origin and distance; the
+   point of the sphere nearest to it only those of the sphere. *)
+let settle { cx; cy; cz; radius } ray (spot : Spot.t) =
+  let x = Raw_ray.end_x ray
+  and y = Raw_ray.end_y ray
+  and z = Raw_ray.end_z ray in
+  let vx = x -. cx and vy = y -. cy and vz = z -. cz in
+  let squared = (vx *. vx) +. (vy *. vy) +. (vz *. vz) in
+  if squared > 0. && squared < infinity then (
+    let scale = 1. /. sqrt squared in
+    let nx = vx *. scale and ny = vy *. scale and nz = vz *. scale in
+    let x = cx +. (radius *. nx)
+    and y = cy +. (radius *. ny)
+    and z = cz +. (radius *. nz) in
+    Spot.set_normal spot nx ny nz;
+    Spot.set_point spot x y z;
+    Spot.set_own spot x y z)
+  else (
+    Spot.set_normal spot ray.dx ray.dy ray.dz;
+    Spot.set_point spot x y z;
+    Spot.set_own spot x y z);
+  spot.size <- radius
 
 let parts s =
   [ ("centre", Part.Vector (centre s)); ("radius", Part.Number s.radius) ]
@@ -55,9 +90,4 @@ let pp ppf s =
   Format.fprintf ppf "sphere centre %a radius %a" Vec3.pp (centre s) Number.pp
     s.radius
 
-let y_axis = Direction.of_vec3_exn (Vec3.make 0. 1. 0.)
-let normal s point = Direction.of_vec3_or y_axis (Vec3.sub point (centre s))
 let depth s point = s.radius -. Vec3.length (Vec3.sub point (centre s))
-
-let project s normal =
-  Vec3.add (centre s) (Vec3.scale s.radius (normal : Direction.t :> Vec3.t))

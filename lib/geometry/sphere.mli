@@ -19,48 +19,48 @@ val parts : t -> (string * Part.t) list
 val centre : t -> Vec3.t
 (** [centre sphere] is its centre. *)
 
-val intersections : t -> Ray.t -> float list
-(** [intersections sphere ray] is all [t], negative ones included and in
-    ascending order, for which [Ray.at ray t] lies on [sphere]: none or two,
-    which are equal where the line touches the sphere. The ray's reach is not
-    looked at. From about 1e154 on squares overflow, and the sphere is not met.
+val box : t -> Box3.t
+(** [box sphere] is the box that touches it on six sides. *)
 
-    With [l] the vector from the point of the line that is nearest to the
-    centre, the discriminant is computed as [r^2 - l . l]: the textbook's
-    [b^2 - c] loses all digits for a small sphere far away (E. Haines and
-    others, {e Precision improvements for ray/sphere intersection}, Ray Tracing
-    Gems, 2019). *)
+(** {1 What is hit}
 
-val nearest : t -> Ray.t -> float
-(** [nearest sphere ray] is the least of {!intersections} that is greater than
-    0, or [infinity] if there is none. *)
-
-val nearest_raw : float -> float -> float -> float -> Raw_ray.t -> float
-(** [nearest_raw x y z radius ray] is {!nearest} for the sphere of [radius]
-    around (x, y, z), for inner loops that keep spheres as numbers. *)
+    With [m] the place on the ray's line that is nearest to the centre, and [l]
+    the vector from there to the centre, the line meets the sphere at
+    [m - sqrt (r^2 - l . l)] and [m + sqrt (r^2 - l . l)], which are equal
+    where it touches the sphere. The textbook's [b^2 - c] loses all digits for
+    a small sphere far away (E. Haines and others,
+    {e Precision improvements for ray/sphere intersection}, Ray Tracing Gems,
+    2019). From about 1e154 on squares overflow, and the sphere is not met. *)
 
 val middle : float -> float -> float -> Raw_ray.t -> float
-(** [middle x y z ray] is the distance at which [ray]'s line is nearest to (x,
-    y, z): half way between the {!intersections} with a sphere around it. *)
+(** [middle x y z ray] is the distance [m] at which [ray]'s line is nearest to
+    (x, y, z). *)
 
 val discriminant :
   float -> float -> float -> float -> Raw_ray.t -> float -> float
-(** [discriminant x y z radius ray middle] is the square of half the distance
-    between the {!intersections}, negative if there are none. [middle] is
-    {!middle}. *)
+(** [discriminant x y z radius ray middle] is [r^2 - l . l] for a sphere around
+    (x, y, z), negative if the line does not meet it. [middle] is {!middle}. *)
 
-val normal : t -> Vec3.t -> Direction.t
-(** [normal sphere point] is the unit vector from the centre towards [point]:
-    for a point of the sphere, the outward normal. The centre itself is given
-    the direction of the y axis. *)
+val offer : t -> Raw_ray.t -> Meeting.t -> number:int -> unit
+(** [offer sphere] is {!Shape.offer}. *)
+
+val offer_row :
+  float array -> int -> Raw_ray.t -> Meeting.t -> number:int -> unit
+(** [offer_row rows place ray meeting ~number] is {!offer} for the sphere whose
+    x, y, z and radius are in [rows] from [4 * place] on, for inner loops that
+    keep spheres as numbers. *)
+
+val settle : t -> Raw_ray.t -> Spot.t -> unit
+(** [settle sphere] is {!Shape.settle}: the spot is the point of the sphere
+    that is nearest to the end of the ray, with the normal from the centre
+    towards it. At the centre itself the normal is along the ray. *)
+
+val crossings : t -> Raw_ray.t -> Crossings.t -> unit
+(** [crossings sphere] is {!Shape.crossings_raw}: none or two. *)
 
 val depth : t -> Vec3.t -> float
 (** [depth sphere point] is how far inside of [sphere] [point] is; negative
     outside. *)
-
-val project : t -> Direction.t -> Vec3.t
-(** [project sphere normal] is the point of [sphere] whose outward normal is
-    [normal]. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [sphere centre (0, 0, 6) radius 1]. *)

@@ -27,6 +27,7 @@ let names =
 let[@inline] add a b = { r = a.r +. b.r; g = a.g +. b.g; b = a.b +. b.b }
 let[@inline] scale k c = { r = k *. c.r; g = k *. c.g; b = k *. c.b }
 let[@inline] multiply a b = { r = a.r *. b.r; g = a.g *. b.g; b = a.b *. b.b }
+let largest c = Float.max c.r (Float.max c.g c.b)
 
 let luminance c =
   (* rounding may carry the sum of the largest doubles over the edge *)

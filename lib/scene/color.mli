@@ -30,6 +30,9 @@ val names : (string * t) list
 (** [names] is the eight constants under the names that the scene language
     gives them. *)
 
+val largest : t -> float
+(** [largest c] is the largest channel of [c]. *)
+
 val luminance : t -> float
 (** [luminance c] is [0.2126 r + 0.7152 g + 0.0722 b], the brightness of [c] to
     the eye (ITU-R BT.709). *)

@@ -22,46 +22,72 @@ let spherical ~intensity ~color ~position =
     invalid_arg "a light's position must be finite";
   make ~intensity ~color (Spherical position)
 
-type incidence = { towards : Direction.t; cosine : float; falloff : float }
+(* {1 What reaches a point} *)
 
-let cosine (u : Direction.t) (v : Direction.t) =
-  Vec3.dot (u :> Vec3.t) (v :> Vec3.t)
+type incidence = { mutable cosine : float; mutable falloff : float }
 
-let incidence light ~point ~normal =
+let create_incidence () = { cosine = 0.; falloff = 0. }
+
+(* A light whose distance cannot be squared gives nothing. The limit of the
+   offset sees to it that the way of the shadow ray can be squared as well. *)
+let[@inline] is_within_squares squared (spot : Spot.t) =
+  squared > 0. && squared < Offset.farthest && spot.offset < 0x1p500
+
+let[@inline] meet light (spot : Spot.t) incidence =
   match light.source with
   | Directional along ->
-      let towards = Direction.neg along in
-      Some { towards; cosine = cosine towards normal; falloff = 1. }
-  | Spherical position ->
-      let way = Vec3.sub position point in
-      let with_direction towards =
-        {
-          towards;
-          cosine = cosine towards normal;
-          falloff = Saturate.limit (1. /. Vec3.length_squared way);
-        }
-      in
-      Option.map with_direction (Direction.of_vec3 way)
+      let { Vec3.x; y; z } = (along :> Vec3.t) in
+      incidence.cosine <-
+        (spot.nx *. -.x) +. (spot.ny *. -.y) +. (spot.nz *. -.z);
+      incidence.falloff <- 1.
+  | Spherical { x; y; z } ->
+      let wx = x -. spot.x and wy = y -. spot.y and wz = z -. spot.z in
+      let facing = (spot.nx *. wx) +. (spot.ny *. wy) +. (spot.nz *. wz)
+      and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
+      if is_within_squares squared spot then (
+        incidence.cosine <- facing /. sqrt squared;
+        if facing > 0. then incidence.falloff <- Saturate.limit (1. /. squared))
+      else incidence.cosine <- 0.
 
-let power light = Saturate.color (Color.scale light.intensity light.color)
-
-let contribution ~power { cosine; falloff; _ } =
-  if cosine > 0. then Saturate.color (Color.scale (cosine *. falloff) power)
-  else Color.black
+(* cosine * falloff * intensity * colour *)
+let[@inline] give { intensity; color = c; _ } { cosine; falloff }
+    (sum : Raw_color.t) =
+  if cosine > 0. then
+    let k = Saturate.limit (cosine *. falloff) in
+    Raw_color.set sum
+      (k *. Saturate.limit (intensity *. c.r))
+      (k *. Saturate.limit (intensity *. c.g))
+      (k *. Saturate.limit (intensity *. c.b))
+  else Raw_color.set sum 0. 0. 0.
 
 let received light ~point ~normal =
-  match incidence light ~point ~normal with
-  | None -> Color.black
-  | Some incidence -> contribution ~power:(power light) incidence
+  let incidence = create_incidence () and color = Raw_color.create () in
+  meet light (Spot.of_point ~point ~normal ~offset:0.) incidence;
+  give light incidence color;
+  Raw_color.to_color color
 
-let shadow_ray light ~point ~normal ~offset =
-  let origin =
-    Vec3.add point (Vec3.scale offset (normal : Direction.t :> Vec3.t))
-  in
+(* {1 Shadows} *)
+
+let[@inline] aim light (spot : Spot.t) (ray : Raw_ray.t) =
   match light.source with
   | Directional along ->
-      Some (Ray.make ~origin ~direction:(Direction.neg along))
-  | Spherical position -> Ray.towards ~origin ~target:position ~short:offset
+      let { Vec3.x; y; z } = (along :> Vec3.t) in
+      Raw_ray.set_direction ray (-.x) (-.y) (-.z);
+      ray.reach <- infinity;
+      true
+  | Spherical { x; y; z } ->
+      let vx = x -. ray.ox and vy = y -. ray.oy and vz = z -. ray.oz in
+      let way = sqrt ((vx *. vx) +. (vy *. vy) +. (vz *. vz)) in
+      let scale = 1. /. way in
+      Raw_ray.set_direction ray (vx *. scale) (vy *. scale) (vz *. scale);
+      ray.reach <- way -. spot.offset;
+      way > 0. && way < infinity
+
+let shadow_ray light ~point ~normal ~offset =
+  let ray = Raw_ray.create ()
+  and spot = Spot.of_point ~point ~normal ~offset in
+  Spot.start spot ray;
+  if aim light spot ray then Some (Ray.of_raw ray) else None
 
 let blocks shadow_ray t = 0. < t && t < Ray.reach shadow_ray
 

@@ -35,33 +35,33 @@ val spherical : intensity:float -> color:Color.t -> position:Vec3.t -> t
 
 (** {1 What reaches a point} *)
 
-type incidence = {
-  towards : Direction.t;  (** from the lit point to the light *)
-  cosine : float;
-      (** of the angle between [towards] and the normal; not positive where the
-          surface faces away *)
-  falloff : float;
-      (** 1 over the squared distance for a spherical light, 1 for a
-          directional one *)
-}
-(** How light meets a surface. *)
-
-val incidence : t -> point:Vec3.t -> normal:Direction.t -> incidence option
-(** [incidence light ~point ~normal] is how [light] meets a surface through
-    [point] with [normal], or [None] if a spherical light is exactly at
-    [point], or too far from it for a double, where it gives nothing. *)
-
-val power : t -> Color.t
-(** [power light] is [intensity * color], at most [max_float]. *)
-
-val contribution : power:Color.t -> incidence -> Color.t
-(** [contribution ~power incidence] is
-    [max 0 cosine * falloff * intensity * color], at most [max_float]: what the
-    point receives if nothing is in the way. *)
-
 val received : t -> point:Vec3.t -> normal:Direction.t -> Color.t
-(** [received light ~point ~normal] is the {!contribution} of [light] at
-    [point]. *)
+(** [received light ~point ~normal] is what a surface through [point] receives
+    on the side of [normal] if nothing is in the way:
+    [max 0 cosine * falloff * intensity * color], at most [max_float]. [cosine]
+    is that of the angle between [normal] and the way to the light, [falloff] 1
+    over the squared distance of a point light, and 1 of a directional one. *)
+
+type incidence = {
+  mutable cosine : float;
+      (** of the angle between the normal and the way to the light; not
+          positive where the surface faces away *)
+  mutable falloff : float;
+      (** 1 over the squared distance for a point light, 1 for a directional
+          one *)
+}
+(** The type for registers of how light meets a surface. *)
+
+val create_incidence : unit -> incidence
+(** [create_incidence ()] is a new register. *)
+
+val meet : t -> Spot.t -> incidence -> unit
+(** [meet light spot incidence] puts into [incidence] how [light] meets the
+    surface at [spot]. The cosine is 0 where the square of the distance to the
+    light is no double. If it is not positive, the fall-off means nothing. *)
+
+val give : t -> incidence -> Raw_color.t -> unit
+(** [give light incidence color] puts into [color] what [light] gives there. *)
 
 (** {1 Shadows} *)
 
@@ -71,7 +71,12 @@ val shadow_ray :
     [point] sees [light]. It starts [offset] from [point] along [normal]; for a
     spherical light it ends [offset] before the light, so that a light that
     lies on a surface is not in that surface's shadow. [None] if the light is
-    where the ray would start. *)
+    where the ray would start, or so far away that the square of the distance
+    is no double. *)
+
+val aim : t -> Spot.t -> Raw_ray.t -> bool
+(** [aim light spot ray] makes [ray], which is at the {!Spot.start} of [spot],
+    the shadow ray to [light] and is true; false if there is none. *)
 
 val blocks : Ray.t -> float -> bool
 (** [blocks shadow_ray t] is whether a hit at distance [t] of a shadow ray lies

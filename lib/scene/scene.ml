@@ -58,10 +58,10 @@ let greyscale scene =
   }
 
 let warnings scene =
-  let meaning (o : Object.t) = Surface.meaning o.surface in
+  let lobes (o : Object.t) = Surface.lobes o.surface in
   let some_object holds = List.exists holds scene.objects in
-  let needs_light o = not (Color.equal (meaning o).albedo Color.black) in
-  let mirrors o = (meaning o).mirror > 0. in
+  let needs_light o = not (Color.equal (lobes o).albedo Color.black) in
+  let mirrors o = not (Color.equal (lobes o).mirror Color.black) in
   let distorted how =
     "canvas and picture differ in proportions: the picture looks " ^ how
   in

@@ -44,25 +44,38 @@ let mixed parts =
     invalid_arg "mixes are nested deeper than 1,000";
   Mixed { parts; nesting }
 
-type meaning = { emission : Color.t; albedo : Color.t; mirror : float }
+(* {1 Meaning} *)
 
-let nothing = { emission = Color.black; albedo = Color.black; mirror = 0. }
+let rec varies = function
+  | Diffusive _ | Reflective | Luminous _ -> false
+  | Mixed { parts; _ } -> List.exists (fun (_, part) -> varies part) parts
 
-let add sum weight part =
-  let combine a b = Saturate.color (Color.add a (Color.scale weight b)) in
-  {
-    emission = combine sum.emission part.emission;
-    albedo = combine sum.albedo part.albedo;
-    mirror = Saturate.limit (sum.mirror +. (weight *. part.mirror));
-  }
+let levels = function
+  | Diffusive _ | Reflective | Luminous _ -> 1
+  | Mixed { nesting; _ } -> 1 + nesting
 
-let rec meaning = function
-  | Diffusive c -> { nothing with albedo = c }
-  | Reflective -> { nothing with mirror = 1. }
-  | Luminous c -> { nothing with emission = c }
-  | Mixed { parts; _ } ->
-      let add_part sum (weight, surface) = add sum weight (meaning surface) in
-      List.fold_left add_part nothing parts
+let rec write surface spot numbers at =
+  Raw_lobes.clear numbers at;
+  match surface with
+  | Diffusive c -> Raw_lobes.(set numbers (at + albedo) c)
+  | Reflective -> Raw_lobes.(set numbers (at + mirror) Color.white)
+  | Luminous c -> Raw_lobes.(set numbers (at + emission) c)
+  | Mixed { parts; _ } -> write_parts parts spot numbers at
+
+and write_parts parts spot numbers at =
+  match parts with
+  | [] -> ()
+  | (weight, surface) :: rest ->
+      write surface spot numbers (at + Raw_lobes.size);
+      Raw_lobes.add_next numbers at weight;
+      write_parts rest spot numbers at
+
+let lobes ?(at = Vec3.zero) surface =
+  let spot = Spot.create ()
+  and numbers = Raw_lobes.create ~rows:(levels surface) in
+  Spot.set_own spot at.x at.y at.z;
+  write surface spot numbers 0;
+  Raw_lobes.read numbers 0
 
 (* [map f surface] is [surface] with [f] applied to each part that is no mix. *)
 let rec map f = function
@@ -79,12 +92,6 @@ let map_colors f =
 let paint = function
   | Diffusive c -> Some c
   | Reflective | Luminous _ | Mixed _ -> None
-
-(* {1 Surfaces that depend on the point} *)
-
-let rec varies = function
-  | Diffusive _ | Reflective | Luminous _ -> false
-  | Mixed { parts; _ } -> List.exists (fun (_, part) -> varies part) parts
 
 let simple_at (_ : Vec3.t) = function
   | (Diffusive _ | Reflective | Luminous _ | Mixed _) as same -> same

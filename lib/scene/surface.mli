@@ -43,35 +43,30 @@ val max_nesting : int
 
 (** {1 Meaning} *)
 
-type meaning = {
-  emission : Color.t;  (** the light that the surface gives off by itself *)
-  albedo : Color.t;  (** the part that it returns of the light reaching it *)
-  mirror : float;  (** the part that it returns of what it mirrors *)
-}
-(** Every surface, however mixes nest, denotes such a triple, because each kind
-    is linear: its colour at a point is
-    [emission + albedo * light + mirror * trace (mirrored ray)]. *)
+val lobes : ?at:Raylab_geometry.Vec3.t -> t -> Lobes.t
+(** [lobes ~at surface] is what [surface] denotes at its own point [at], by
+    default the origin; that makes a difference only if it {!varies}. Numbers
+    too large for a double become the largest finite one. *)
 
-val meaning : t -> meaning
-(** [meaning surface] is the triple that [surface] denotes; if it {!varies},
-    the mean of what it denotes at its points. Numbers too large for a double
-    become the largest finite one. *)
+val write : t -> Raylab_geometry.Spot.t -> float array -> int -> unit
+(** [write surface spot numbers at] puts what [surface] denotes at [spot] into
+    the row of [numbers] at [at], and uses as many rows from there on as
+    {!levels} says; see {!Raw_lobes}. Nothing is allocated. *)
+
+val levels : t -> int
+(** [levels surface] is how deep it nests: 1 if it is no mix. *)
 
 val paint : t -> Color.t option
 (** [paint surface] is the colour that [surface] is said to be painted with:
     that of a diffusive one. A mix has none of its own. *)
 
-(** {1 Surfaces that depend on the point}
-
-    All that renders or explains a scene asks as if some did, though none of
-    the scene language does. *)
-
 val varies : t -> bool
-(** [varies surface] is whether [surface] is not the same at all points. *)
+(** [varies surface] is whether [surface] is not the same at all points. None
+    of the scene language does, yet. *)
 
 val at : t -> Raylab_geometry.Vec3.t -> t
-(** [at surface point] is what [surface] is at [point]: a surface that does not
-    vary; [surface] itself if it does not. *)
+(** [at surface point] is what [surface] is at its own point [point]: a surface
+    that does not vary. It denotes [lobes ~at:point surface]. *)
 
 (** {1 Forms} *)
 

@@ -67,7 +67,7 @@ let pixel x y =
   check_pixel x y;
   Explain.pixel (Session.trace ()) ~x ~y
 
-let why x y = Tell.summary ~pixel:(x, y) (pixel x y)
+let why x y = Tell.summary (pixel x y)
 
 let primary x y =
   check_pixel x y;

@@ -32,7 +32,7 @@ val why : int -> int -> unit
 (** [why x y] prints in a sentence why pixel (x, y) has its colour; x counts
     from the left and y from the top, both from 0. *)
 
-val pixel : int -> int -> Explain.t
+val pixel : int -> int -> Explain.pixel
 (** [pixel x y] is why pixel (x, y) has its colour, in full. *)
 
 val primary : int -> int -> Ray.t

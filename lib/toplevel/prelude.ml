@@ -3,11 +3,13 @@ include Build
 module Vec3 = Raylab_geometry.Vec3
 module Direction = Raylab_geometry.Direction
 module Ray = Raylab_geometry.Ray
+module Box3 = Raylab_geometry.Box3
 module Shape = Raylab_geometry.Shape
 module Sphere = Raylab_geometry.Sphere
 module Plane = Raylab_geometry.Plane
 module Color = Raylab_scene.Color
 module Grey = Raylab_scene.Grey
+module Lobes = Raylab_scene.Lobes
 module Surface = Raylab_scene.Surface
 module Light = Raylab_scene.Light
 module Object = Raylab_scene.Object

@@ -7,6 +7,7 @@ open Raylab_explanation
 let vec3 = Vec3.pp
 let direction = Direction.pp
 let ray = Broken.at_words Ray.pp
+let box = Broken.at_words Box3.pp
 let shape = Broken.at_words Shape.pp
 let sphere = Broken.at_words Sphere.pp
 let plane = Broken.at_words Plane.pp
@@ -16,16 +17,11 @@ let color ppf c =
 
 let surface = Broken.at_words Surface.pp
 
-let meaning ppf { Surface.emission; albedo; mirror } =
+let lobes ppf { Lobes.emission; albedo; mirror } =
   Format.fprintf ppf "@[<hov 2>emission %a,@ albedo %a,@ mirror %a@]" color
-    emission color albedo Number.pp mirror
+    emission color albedo Lobes.pp_factor mirror
 
 let light = Broken.at_words Light.pp
-
-let incidence ppf { Light.towards; cosine; falloff } =
-  Format.fprintf ppf "@[<hov 2>towards %a,@ cosine %a,@ fall-off %a@]"
-    direction towards Number.pp cosine Number.pp falloff
-
 let object_ = Broken.at_words Object.pp
 
 let camera ppf (c : Camera.t) =
@@ -81,12 +77,17 @@ let explain_light ppf (l : Explain.light) =
 
 let explain ppf e = Report.pp_with ~swatches:(Tell.swatches ()) ppf e
 
+let pixel ppf pixel =
+  Report.pp_pixel_with ~swatches:(Tell.swatches ()) ppf pixel
+
 let surface_hit ppf (h : Explain.surface_hit) =
-  Format.fprintf ppf "@[<v>%a@,%a@,%a" hit h.hit object_ h.object_ meaning
-    h.meaning;
+  Format.fprintf ppf "@[<v>%a@,%a@,%a" hit h.hit object_ h.object_ lobes
+    h.lobes;
   List.iter (Format.fprintf ppf "@,%a" explain_light) h.lights;
-  Format.fprintf ppf "@,@[<hov 2>emitted %a@ + diffused %a@ + mirrored %a@]@]"
-    color h.emitted color h.diffused color h.mirrored
+  Format.fprintf ppf "@]"
+
+let term ppf { Explain.source; color = c; _ } =
+  Format.fprintf ppf "%s %a" (Event.source_name source) color c
 
 let outcome ppf : Explain.outcome -> unit = function
   | Chain_ended -> Format.pp_print_string ppf "the chain ended: the background"

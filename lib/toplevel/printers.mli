@@ -22,6 +22,10 @@ val ray : Format.formatter -> Ray.t -> unit
 [@@ocaml.toplevel_printer]
 (** [(0, 0, -4) + t (0, 0, 1)] *)
 
+val box : Format.formatter -> Box3.t -> unit
+[@@ocaml.toplevel_printer]
+(** [(-1, -1, 5) to (1, 1, 7)] *)
+
 val shape : Format.formatter -> Shape.t -> unit
 [@@ocaml.toplevel_printer]
 (** [sphere centre (0, 0, 6) radius 1] *)
@@ -44,17 +48,13 @@ val surface : Format.formatter -> Surface.t -> unit
 [@@ocaml.toplevel_printer]
 (** [mixed 0.5 diffusive 1 0 0 0.5 reflective] *)
 
-val meaning : Format.formatter -> Surface.meaning -> unit
+val lobes : Format.formatter -> Lobes.t -> unit
 [@@ocaml.toplevel_printer]
 (** [emission rgb 0 0 0, albedo rgb 0.5 0 0, mirror 0.5] *)
 
 val light : Format.formatter -> Light.t -> unit
 [@@ocaml.toplevel_printer]
 (** [spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0)] *)
-
-val incidence : Format.formatter -> Light.incidence -> unit
-[@@ocaml.toplevel_printer]
-(** [towards (0, 1, 0), cosine 1, fall-off 0.04] *)
 
 val object_ : Format.formatter -> Object.t -> unit
 [@@ocaml.toplevel_printer]
@@ -93,6 +93,14 @@ val trace : Format.formatter -> Trace.t -> unit
 val explain : Format.formatter -> Explain.t -> unit
 [@@ocaml.toplevel_printer]
 (** {!Raylab_explanation.Report.pp}: a summary, and the tree *)
+
+val pixel : Format.formatter -> Explain.pixel -> unit
+[@@ocaml.toplevel_printer]
+(** the same of a pixel *)
+
+val term : Format.formatter -> Explain.term -> unit
+[@@ocaml.toplevel_printer]
+(** [diffused rgb 0.2 0.1 0] *)
 
 val outcome : Format.formatter -> Explain.outcome -> unit
 [@@ocaml.toplevel_printer]

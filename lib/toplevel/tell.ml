@@ -23,7 +23,7 @@ let contents path (scene : Scene.t) =
 let swatches () =
   Swatch.detect ~is_terminal:(Unix.isatty Unix.stdout) Sys.getenv_opt
 
-let summary ~pixel e =
+let summary pixel =
   Format.printf "%a@."
-    (Report.pp_summary_with ~swatches:(swatches ()) ~pixel)
-    e
+    (Report.pp_pixel_summary_with ~swatches:(swatches ()))
+    pixel

@@ -22,5 +22,5 @@ val contents : string -> Scene.t -> unit
 val swatches : unit -> Swatch.t
 (** [swatches ()] is the patches of colour that standard output can show. *)
 
-val summary : pixel:int * int -> Explain.t -> unit
-(** [summary ~pixel e] prints the summary of [e], an explanation of [pixel]. *)
+val summary : Explain.pixel -> unit
+(** [summary pixel] prints the summary of an explanation. *)

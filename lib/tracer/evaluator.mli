@@ -1,8 +1,8 @@
 (** The inner loop: from a ray in a register to its colour.
 
-    This, with its parts {!Hitting} and {!Lighting}, is the one place where the
-    meaning of a scene is computed; {!Trace} gives it a pure face. It keeps
-    what it is at in {!Registers}, which nobody else sees. *)
+    This, with its part {!Lighting}, is the one place where the meaning of a
+    scene is computed; {!Trace} gives it a pure face. It keeps what it is at in
+    {!Registers}, which nobody else sees. *)
 
 open Raylab_geometry
 open Raylab_scene
@@ -10,9 +10,9 @@ open Raylab_scene
 type t
 (** The type for evaluators: the registers that one domain works with. *)
 
-val create : ?observe:(Event.t -> unit) -> Flat_scene.t -> t
-(** [create scene] is a new evaluator for [scene]. It tells [observe] each
-    event of what it evaluates; without it no event is made. *)
+val create : ?observe:(Event.t -> unit) -> Prepared.t -> t
+(** [create prepared] is a new evaluator for the scene [prepared]. It tells
+    [observe] each event of what it evaluates; without it no event is made. *)
 
 val tally : t -> Tally.t
 (** [tally t] is what [t] has done so far. *)

@@ -1,11 +1,13 @@
 open Raylab_geometry
 open Raylab_scene
 
+type role = Primary | Mirrored
+type source = Background | Emitted | Diffused of { light : Color.t } | Mirror
+type term = { source : source; color : Color.t }
+
 type t =
-  | Cast of { ray : Ray.t; left : int }
-  | Chain_ended of Color.t
-  | Missed of Color.t
-  | Nearest_hit of Hit.t
+  | Opened of { role : role; ray : Ray.t; left : int }
+  | Met of Hit.t
   | Faces_away of { light : int; cosine : float }
   | Shadow_ray of { light : int; ray : Ray.t }
   | Blocked of { light : int; by : int; t : float; point : Vec3.t }
@@ -15,24 +17,30 @@ type t =
       falloff : float;
       contribution : Color.t;
     }
-  | Bounce of { ray : Ray.t; left : int }
-  | Mixed of {
-      emitted : Color.t;
-      light : Color.t;
-      diffused : Color.t;
-      mirrored : Color.t;
-      color : Color.t;
-    }
+  | Closed of { left : int; terms : term list; color : Color.t }
   | Done of Color.t
 
+let role = function Primary -> "cast" | Mirrored -> "bounce"
+
+let source_name = function
+  | Background -> "background"
+  | Emitted -> "emitted"
+  | Diffused _ -> "diffused"
+  | Mirror -> "mirrored"
+
+let pp_term ppf term =
+  Format.fprintf ppf "%s %a" (source_name term.source) Color.pp term.color
+
+let pp_sum ppf =
+  Format.pp_print_list
+    ~pp_sep:(fun ppf () -> Format.pp_print_string ppf " + ")
+    pp_term ppf
+
 let pp ppf = function
-  | Cast { ray; left } ->
-      Format.fprintf ppf "cast: %a, %d left in the chain" Ray.pp ray left
-  | Chain_ended color ->
-      Format.fprintf ppf "chain ended: the background, %a" Color.pp color
-  | Missed color ->
-      Format.fprintf ppf "nothing hit: the background, %a" Color.pp color
-  | Nearest_hit hit ->
+  | Opened { role = r; ray; left } ->
+      Format.fprintf ppf "%s: %a, %d left in the chain" (role r) Ray.pp ray
+        left
+  | Met hit ->
       Format.fprintf ppf "nearest hit: object %d, %a" hit.number Hit.pp hit
   | Faces_away { light; cosine } ->
       Format.fprintf ppf "light %d: faces away, cosine %a" light Number.pp
@@ -45,9 +53,10 @@ let pp ppf = function
   | Lit { light; cosine; falloff; contribution } ->
       Format.fprintf ppf "light %d: lit, cosine %a, fall-off %a, gives %a"
         light Number.pp cosine Number.pp falloff Color.pp contribution
-  | Bounce { ray; left } ->
-      Format.fprintf ppf "bounce: %a, %d left in the chain" Ray.pp ray left
-  | Mixed { emitted; diffused; mirrored; color; _ } ->
-      Format.fprintf ppf "mix: emitted %a + diffused %a + mirrored %a = %a"
-        Color.pp emitted Color.pp diffused Color.pp mirrored Color.pp color
+  | Closed { terms = [ { source = Background; _ } ]; left; color } ->
+      Format.fprintf ppf "%s: the background, %a"
+        (if left = 0 then "chain ended" else "nothing hit")
+        Color.pp color
+  | Closed { terms; color; _ } ->
+      Format.fprintf ppf "mix: %a = %a" pp_sum terms Color.pp color
   | Done color -> Format.fprintf ppf "done: %a" Color.pp color

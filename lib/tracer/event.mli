@@ -2,26 +2,43 @@
     order in which it does it.
 
     The evaluator that renders pictures tells them to whoever listens, so they
-    are the rendering itself, with its very numbers. Objects and lights are
-    numbered by their place in the scene, from 1. *)
+    are the rendering itself, with its very numbers. They are brackets: each
+    ray is opened, and closed with its colour, and what happens between is
+    about it, other rays included, which are opened and closed there. Objects
+    and lights are numbered by their place in the scene, from 1. *)
 
 open Raylab_geometry
 open Raylab_scene
 
+(** The type for what a ray is cast for. *)
+type role =
+  | Primary  (** asked for from outside: for a pixel, or by hand *)
+  | Mirrored  (** to see what the surface mirrors *)
+
+(** The type for terms of a colour: what it is, and how it came about. *)
+type source =
+  | Background
+  | Emitted  (** what the surface gives off *)
+  | Diffused of { light : Color.t }
+      (** albedo times [light], the sum of all contributions *)
+  | Mirror
+      (** mirror times the colour of the mirrored ray; there is no such ray if
+          the mirror is 0 *)
+
+type term = { source : source; color : Color.t }
+(** A term of a colour. *)
+
 (** The type for events. The sums hold exactly, added from the left; a sum or
     product too large for a double is the largest double. *)
 type t =
-  | Cast of { ray : Ray.t; left : int }
+  | Opened of { role : role; ray : Ray.t; left : int }
       (** A ray is cast, with [left] rays left in its chain, itself included.
       *)
-  | Chain_ended of Color.t
-      (** No ray is left: the ray is not followed, the background stands in. *)
-  | Missed of Color.t  (** The ray hits nothing and shows the background. *)
-  | Nearest_hit of Hit.t  (** The first hit of the ray. *)
+  | Met of Hit.t  (** The first hit of the ray. *)
   | Faces_away of { light : int; cosine : float }
       (** The surface is turned away from the light: [cosine], of the angle
           between the normal and the way to the light, is not positive. It is
-          0, too, where a spherical light gives nothing since the square of its
+          0, too, where a point light gives nothing since the square of its
           distance is no double. *)
   | Shadow_ray of { light : int; ray : Ray.t }
       (** A ray is sent to find out whether anything blocks the light. *)
@@ -32,21 +49,18 @@ type t =
       light : int;
       cosine : float;
       falloff : float;
-          (** 1 over the squared distance for a spherical light, else 1 *)
+          (** 1 over the squared distance for a point light, else 1 *)
       contribution : Color.t;
           (** [cosine * falloff * intensity * colour] of the light *)
     }  (** Nothing is in the way. *)
-  | Bounce of { ray : Ray.t; left : int }
-      (** The mirrored ray is cast, with [left] rays left in the chain. The
-          events up to its colour follow. *)
-  | Mixed of {
-      emitted : Color.t;  (** the surface's emission *)
-      light : Color.t;  (** the sum of all contributions *)
-      diffused : Color.t;  (** albedo times [light] *)
-      mirrored : Color.t;  (** mirror times the colour of the mirrored ray *)
-      color : Color.t;  (** [emitted + diffused + mirrored] *)
-    }  (** The colour of a hit is put together. *)
+  | Closed of { left : int; terms : term list; color : Color.t }
+      (** The ray that was opened last, and not closed, has [color], the sum of
+          [terms]; [left] is what it was opened with. If it met nothing, or was
+          not followed because none was left, that is the background. *)
   | Done of Color.t  (** The colour of the first ray. *)
+
+val source_name : source -> string
+(** [source_name source] is a word for it, such as ["diffused"]. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints the event on one line, such as

@@ -19,104 +19,150 @@ type verdict =
 
 type light = { number : int; light : Light.t; verdict : verdict }
 
-type t = { ray : Ray.t; left : int; outcome : outcome; color : Color.t }
+type t = {
+  role : Event.role;
+  ray : Ray.t;
+  left : int;
+  outcome : outcome;
+  terms : term list;
+  color : Color.t;
+}
+
 and outcome = Chain_ended | Missed | Hit of surface_hit
 
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
   surface : Surface.t;
-  meaning : Surface.meaning;
+  lobes : Lobes.t;
   lights : light list;
-  light : Color.t;
-  emitted : Color.t;
-  diffused : Color.t;
-  mirrored : Color.t;
-  reflection : t option;
 }
 
-let events scene evaluate =
-  let told = ref [] in
-  let observe event = told := event :: !told in
-  ignore (evaluate (Trace.evaluator ~observe scene) : Color.t);
-  List.rev !told
+and term = { source : Event.source; color : Color.t; ray : t option }
 
-(* {1 From events to a tree}
+(* {1 From events to a tree} *)
 
-   Each function takes the events from some place on, and gives what they tell
-   and the events after that. *)
+(* A ray that is open: all that has been told of it, lists backwards. *)
+type open_ray = {
+  opened : Event.role * Ray.t * int;
+  met : Hit.t option;
+  shadow_ray : Ray.t option; (* whose answer is still to come *)
+  verdicts : light list;
+  closed : t list; (* the rays that were opened in this one *)
+}
 
 let unexpected () = invalid_arg "Explain: events in a wrong order"
 
-(* There may be a million lights: no stack as deep. *)
-let rec read_lights scene read (events : Event.t list) =
-  let light number verdict rest =
-    let light = Trace.numbered_light scene number in
-    read_lights scene ({ number; light; verdict } :: read) rest
+let hit_of scene hit lights =
+  let object_ = Trace.numbered_object scene hit.Hit.number in
+  let surface = Surface.at object_.surface hit.own_point in
+  let lobes = Surface.lobes surface in
+  { hit; object_; surface; lobes; lights = List.rev lights }
+
+(* Each term that needs a ray takes the next of those that were closed. *)
+let terms_of terms closed =
+  let term closed { Event.source; color } =
+    match (source, closed) with
+    | Event.Mirror, ({ role = Mirrored; _ } as ray) :: closed ->
+        (closed, { source; color; ray = Some ray })
+    | _ -> (closed, { source; color; ray = None })
   in
-  match events with
-  | Faces_away { light = k; cosine } :: rest ->
-      light k (Faces_away { cosine }) rest
-  | Shadow_ray { light = k; ray } :: Blocked { by; t; point; _ } :: rest ->
-      let blocker = Trace.numbered_object scene by in
-      light k (Blocked { shadow_ray = ray; by; blocker; t; point }) rest
-  | Shadow_ray { light = k; ray }
-    :: Lit { cosine; falloff; contribution; _ }
-    :: rest ->
-      light k
-        (Lit { shadow_ray = Some ray; cosine; falloff; contribution })
-        rest
-  | Lit { light = k; cosine; falloff; contribution } :: rest ->
-      light k (Lit { shadow_ray = None; cosine; falloff; contribution }) rest
-  | _ -> (List.rev read, events)
+  snd (List.fold_left_map term (List.rev closed) terms)
 
-let rec read_ray scene ray left (events : Event.t list) =
-  match events with
-  | Chain_ended color :: rest ->
-      ({ ray; left; outcome = Chain_ended; color }, rest)
-  | Missed color :: rest -> ({ ray; left; outcome = Missed; color }, rest)
-  | Nearest_hit hit :: rest -> (
-      let lights, rest = read_lights scene [] rest in
-      let reflection, rest = read_reflection scene rest in
-      match (rest : Event.t list) with
-      | Mixed { emitted; light; diffused; mirrored; color } :: rest ->
-          let object_ = Trace.numbered_object scene hit.number in
-          let surface = Surface.at object_.surface hit.point in
-          let meaning = Surface.meaning surface in
-          let outcome =
-            Hit
-              {
-                hit;
-                object_;
-                surface;
-                meaning;
-                lights;
-                light;
-                emitted;
-                diffused;
-                mirrored;
-                reflection;
-              }
-          in
-          ({ ray; left; outcome; color }, rest)
-      | _ -> unexpected ())
+let close scene { opened = role, ray, left; met; verdicts; closed; _ } terms
+    color =
+  let outcome =
+    match met with
+    | Some hit -> Hit (hit_of scene hit verdicts)
+    | None -> if left = 0 then Chain_ended else Missed
+  in
+  { role; ray; left; outcome; terms = terms_of terms closed; color }
+
+let add_verdict scene state number verdict =
+  let light = Trace.numbered_light scene number in
+  let verdicts = { number; light; verdict } :: state.verdicts in
+  { state with shadow_ray = None; verdicts }
+
+(* [tell scene state event] is [state] after an event that neither opens nor
+   closes a ray. *)
+let tell scene state : Event.t -> open_ray = function
+  | Met hit -> { state with met = Some hit }
+  | Faces_away { light; cosine } ->
+      add_verdict scene state light (Faces_away { cosine })
+  | Shadow_ray { ray; _ } -> { state with shadow_ray = Some ray }
+  | Blocked { light; by; t; point } ->
+      let shadow_ray = Option.get state.shadow_ray
+      and blocker = Trace.numbered_object scene by in
+      add_verdict scene state light
+        (Blocked { shadow_ray; by; blocker; t; point })
+  | Lit { light; cosine; falloff; contribution } ->
+      let shadow_ray = state.shadow_ray in
+      add_verdict scene state light
+        (Lit { shadow_ray; cosine; falloff; contribution })
+  | Opened _ | Closed _ | Done _ -> unexpected ()
+
+let start role ray left =
+  {
+    opened = (role, ray, left);
+    met = None;
+    shadow_ray = None;
+    verdicts = [];
+    closed = [];
+  }
+
+(* The rays that are open, the innermost first, and the root once it is
+   closed. A loop: chains may be long. *)
+let step scene (open_rays, root) (event : Event.t) =
+  match (event, open_rays) with
+  | Opened { role; ray; left }, _ -> (start role ray left :: open_rays, root)
+  | Closed { terms; color; _ }, state :: outer -> (
+      let e = close scene state terms color in
+      match outer with
+      | [] -> ([], Some e)
+      | around :: outer ->
+          ({ around with closed = e :: around.closed } :: outer, root))
+  | Done _, [] -> ([], root)
+  | event, state :: outer -> (tell scene state event :: outer, root)
+  | _, [] -> unexpected ()
+
+let events scene r =
+  let told = ref [] in
+  let observe event = told := event :: !told in
+  ignore (Evaluator.ray (Trace.evaluator ~observe scene) r : Color.t);
+  List.rev !told
+
+let ray scene r =
+  match List.fold_left (step scene) ([], None) (events scene r) with
+  | [], Some e -> e
   | _ -> unexpected ()
 
-and read_reflection scene : Event.t list -> _ = function
-  | Bounce { ray; left } :: rest ->
-      let reflection, rest = read_ray scene ray left rest in
-      (Some reflection, rest)
-  | events -> (None, events)
+let steps scene r () = List.to_seq (events scene r) ()
 
-let read scene (events : Event.t list) =
-  match events with
-  | Cast { ray; left } :: rest -> fst (read_ray scene ray left rest)
-  | _ -> unexpected ()
+(* {1 Reading} *)
 
-let ray scene r = read scene (events scene (fun e -> Evaluator.ray e r))
+let next e = List.filter_map (fun (term : term) -> term.ray) e.terms
+
+let sum_of holds e =
+  let add sum (term : term) =
+    if holds term.source then Color.add sum term.color else sum
+  in
+  List.fold_left add Color.black e.terms
+
+let light e =
+  let light (term : term) =
+    match term.source with
+    | Diffused { light } -> Some light
+    | Background | Emitted | Mirror -> None
+  in
+  Option.value (List.find_map light e.terms) ~default:Color.black
+
+(* {1 Pixels} *)
+
+type pixel = { x : int; y : int; samples : t list; color : Color.t }
 
 let pixel scene ~x ~y =
-  read scene (events scene (fun e -> Evaluator.pixel e ~x ~y))
+  let camera = (Trace.scene scene).camera in
+  let e = ray scene (Camera.primary_ray camera ~x ~y) in
+  { x; y; samples = [ e ]; color = e.color }
 
-let steps scene r () =
-  List.to_seq (events scene (fun e -> Evaluator.ray e r)) ()
+let centre pixel = List.hd pixel.samples

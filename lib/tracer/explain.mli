@@ -32,43 +32,71 @@ type light = { number : int; light : Light.t; verdict : verdict }
 (** A light of the scene, with its number from 1, and its verdict. *)
 
 type t = {
+  role : Event.role;
   ray : Ray.t;
   left : int;  (** rays left in the chain, this one included *)
   outcome : outcome;
-  color : Color.t;
+  terms : term list;
+  color : Color.t;  (** the sum of the terms, added from the left *)
 }
 (** The type for explanations of a ray. *)
 
 and outcome =
-  | Chain_ended  (** no ray was left; [color] is the background *)
-  | Missed  (** the ray hit nothing; [color] is the background *)
+  | Chain_ended  (** no ray was left; the one term is the background *)
+  | Missed  (** the ray hit nothing; the one term is the background *)
   | Hit of surface_hit
 
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
   surface : Surface.t;  (** what [object_]'s surface is at the hit *)
-  meaning : Surface.meaning;  (** what [surface] denotes *)
+  lobes : Lobes.t;  (** what [surface] denotes *)
   lights : light list;
       (** in the order of the scene; none if the surface has no albedo, which
           makes light irrelevant *)
-  light : Color.t;  (** the sum of the contributions, from the left *)
-  emitted : Color.t;
-  diffused : Color.t;  (** albedo times [light] *)
-  mirrored : Color.t;  (** mirror times the colour of [reflection] *)
-  reflection : t option;  (** the mirrored ray; none if [mirror] is 0 *)
 }
-(** A hit. [emitted + diffused + mirrored], added from the left, is the colour.
-*)
+
+and term = {
+  source : Event.source;
+  color : Color.t;
+  ray : t option;  (** the ray of which [color] is a part, if there is one *)
+}
+(** A term of a colour. *)
 
 val ray : Trace.t -> Ray.t -> t
 (** [ray scene r] explains [Trace.ray scene r]. *)
-
-val pixel : Trace.t -> x:int -> y:int -> t
-(** [pixel scene ~x ~y] explains [Trace.pixel scene ~x ~y], y from the top. *)
 
 val steps : Trace.t -> Ray.t -> Event.t Seq.t
 (** [steps scene r] is the events of [Trace.ray scene r], a persistent
     sequence: an older part of it can be read again at any time. The evaluation
     runs when the first event is asked for. The last event is [Done] with the
     colour. *)
+
+(** {1 Reading} *)
+
+val next : t -> t list
+(** [next e] is the rays of the terms of [e], in their order: none, or the
+    mirrored one. *)
+
+val sum_of : (Event.source -> bool) -> t -> Color.t
+(** [sum_of holds e] is the sum of the terms of [e] whose source [holds]. *)
+
+val light : t -> Color.t
+(** [light e] is the sum of what all lights give at the hit of [e]; black if it
+    hits nothing. *)
+
+(** {1 Pixels} *)
+
+type pixel = {
+  x : int;
+  y : int;  (** from the top *)
+  samples : t list;  (** at least one, and the first through the centre *)
+  color : Color.t;  (** their mean *)
+}
+(** The type for explanations of a pixel. *)
+
+val pixel : Trace.t -> x:int -> y:int -> pixel
+(** [pixel scene ~x ~y] explains [Trace.pixel scene ~x ~y]. *)
+
+val centre : pixel -> t
+(** [centre pixel] is the first sample. *)

@@ -2,11 +2,26 @@ open Raylab_geometry
 
 type t = {
   number : int;
+  part : int;
   t : float;
   point : Vec3.t;
+  own_point : Vec3.t;
   normal : Direction.t;
+  outside : bool;
   offset : float;
 }
+
+let of_registers (meeting : Meeting.t) (spot : Spot.t) (ray : Raw_ray.t) =
+  {
+    number = meeting.number + 1;
+    part = meeting.part;
+    t = ray.reach;
+    point = Spot.point spot;
+    own_point = Spot.own spot;
+    normal = Spot.normal spot;
+    outside = spot.side > 0.;
+    offset = spot.offset;
+  }
 
 let start hit =
   Vec3.add hit.point (Vec3.scale hit.offset (hit.normal :> Vec3.t))

@@ -4,13 +4,21 @@ open Raylab_geometry
 
 type t = {
   number : int;  (** of the object, by its place in the scene, from 1 *)
+  part : int;  (** of its shape, by the shape's own count *)
   t : float;  (** the distance from the ray's origin *)
   point : Vec3.t;  (** the point of the object's shape *)
+  own_point : Vec3.t;  (** the same in the shape's own coordinates *)
   normal : Direction.t;  (** the unit normal on the side the ray comes from *)
+  outside : bool;
+      (** whether that is the side of the shape's outward normal *)
   offset : float;
       (** how far along [normal] a ray that leaves this point starts *)
 }
 (** The type for hits. *)
+
+val of_registers : Meeting.t -> Spot.t -> Raw_ray.t -> t
+(** [of_registers meeting spot ray] is the hit that they hold: [ray] ends at
+    it. *)
 
 val start : t -> Vec3.t
 (** [start hit] is the point from which rays leave: [point + offset * normal].

@@ -8,44 +8,26 @@
 open Raylab_geometry
 open Raylab_scene
 
-type hit = {
-  mutable x : float;
-  mutable y : float;
-  mutable z : float;
-  mutable nx : float;
-  mutable ny : float;
-  mutable nz : float;
-  mutable offset : float;
-}
-(** A hit: its point, the unit normal on the side of the ray, and how far off
-    rays start that leave it. *)
-
-type color = { mutable r : float; mutable g : float; mutable b : float }
-(** A colour on the way. *)
-
 type t = {
-  scene : Flat_scene.t;
+  prepared : Prepared.t;
   observe : (Event.t -> unit) option;  (** who is told of every event *)
-  query : Query.t;
+  finder : Finder.t;
   tally : Tally.t;
   ray : Raw_ray.t;  (** the ray of the chain *)
   shadow_ray : Raw_ray.t;
-  hit : hit;
-  light : color;  (** what reaches the hit *)
-  color : color;  (** what the ray brings *)
-  row : float array;  (** what a surface that varies denotes at the hit *)
+  meeting : Meeting.t;  (** what one of the two meets *)
+  spot : Spot.t;  (** where the ray of the chain does *)
+  lobes : float array;
+      (** what a surface that varies denotes there; see {!Raw_lobes} *)
+  incidence : Light.incidence;  (** how one light meets it *)
+  gives : Raw_color.t;  (** what that light gives *)
+  light : Raw_color.t;  (** what all lights give *)
+  color : Raw_color.t;  (** what the ray brings *)
 }
 (** The type for registers. *)
 
-val create : ?observe:(Event.t -> unit) -> Flat_scene.t -> t
-(** [create scene] is new registers for [scene]. *)
+val create : ?observe:(Event.t -> unit) -> Prepared.t -> t
+(** [create prepared] is new registers for this scene. *)
 
 val load : t -> Ray.t -> unit
 (** [load t ray] puts [ray] into its register. *)
-
-val set : color -> float -> float -> float -> unit
-(** [set color r g b] puts a colour into [color], each channel limited as
-    {!Raylab_scene.Saturate.limit} does. *)
-
-val color_of : color -> Color.t
-(** [color_of color] is what [color] holds. *)

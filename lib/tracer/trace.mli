@@ -18,18 +18,10 @@ type t
 (** The type for scenes made ready for tracing. *)
 
 val prepare :
-  ?domains:int ->
-  ?quick:bool ->
-  ?index:(Shape.t array -> Query.index) ->
-  Scene.t ->
-  t
+  ?domains:int -> ?index:(Shape.t array -> Finder.index) -> Scene.t -> t
 (** [prepare scene] is [scene] made ready. [index] is the way of finding hits,
     by default {!Raylab_geometry.Bvh.index} on at most [domains] domains, by
-    default 1; it makes no difference to any colour.
-
-    Nor does [quick], by default true: without it all that has a quicker way,
-    spheres and surfaces that are the same everywhere, goes the way that is
-    open to every shape and surface. *)
+    default 1; it makes no difference to any colour. *)
 
 val scene : t -> Scene.t
 (** [scene t] is the scene from which [t] was prepared. *)

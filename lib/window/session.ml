@@ -113,10 +113,9 @@ let path_of shown pixel explanation ~visible =
 
 let click s place =
   match (in_view s, Layout.pixel s.layout place) with
-  | Some shown, Some ((x, y) as pixel) when Shown.size shown = s.picture_size
-    ->
+  | Some shown, Some pixel when Shown.size shown = s.picture_size ->
       let e = Shown.explain shown pixel in
-      s.terminal.explain (x, y + shown.first_row) e;
+      s.terminal.explain e;
       s.path <- Some (path_of shown pixel e ~visible:true);
       draw_all s
   | _ -> ()

@@ -28,4 +28,5 @@ let explain { scene; first_row; _ } (x, y) =
   Explain.pixel scene ~x ~y:(y + first_row)
 
 let overlay { scene; first_row; _ } explanation =
-  Path_overlay.make (Trace.scene scene).Scene.camera ~first_row explanation
+  Path_overlay.make (Trace.scene scene).Scene.camera ~first_row
+    (Explain.centre explanation)

@@ -18,8 +18,8 @@ val look : t list -> Raster.look
     same size, where something is known there; if there is none, that of
     nothing. *)
 
-val explain : t -> int * int -> Explain.t
+val explain : t -> int * int -> Explain.pixel
 (** [explain shown (x, y)] explains pixel [(x, y)] of [shown]. *)
 
-val overlay : t -> Explain.t -> Path_overlay.t
+val overlay : t -> Explain.pixel -> Path_overlay.t
 (** [overlay shown explanation] is the path of [explanation] over [shown]. *)

@@ -4,7 +4,7 @@ open Raylab_explanation
 type t = {
   print : string -> unit;
   tell : string -> unit;
-  explain : int * int -> Explain.t -> unit;
+  explain : Explain.pixel -> unit;
 }
 
 let write channel text =
@@ -22,7 +22,7 @@ let make channel ~tell =
     print = (fun text -> write channel (text ^ "\n"));
     tell;
     explain =
-      (fun pixel e ->
-        let pp = Report.pp_with ~swatches ~pixel in
-        write channel (Format.asprintf "%a@.@." pp e));
+      (fun pixel ->
+        let pp = Report.pp_pixel_with ~swatches in
+        write channel (Format.asprintf "%a@.@." pp pixel));
   }

@@ -5,7 +5,7 @@ open Raylab_tracer
 type t = {
   print : string -> unit;  (** shows lines that were asked for *)
   tell : string -> unit;  (** shows a message *)
-  explain : int * int -> Explain.t -> unit;  (** shows why a pixel is so *)
+  explain : Explain.pixel -> unit;  (** shows why a pixel is so *)
 }
 (** The type for terminals. *)
 

@@ -40,7 +40,7 @@ let write_camera channel (camera : Camera.t) =
 
 let write_light channel camera (light : Light.t) =
   let scale = Camera.scale camera in
-  let power = Light.power light in
+  let power = Color.scale light.intensity light.color in
   match light.source with
   | Directional direction ->
       let back = Vec3.scale (-.sun_distance *. scale) (direction :> Vec3.t) in
@@ -57,16 +57,16 @@ let write_light channel camera (light : Light.t) =
         (number distance)
 
 let write_surface channel surface =
-  let { Surface.emission; albedo; mirror } = Surface.meaning surface in
+  let { Lobes.emission; albedo; mirror } = Surface.lobes surface in
+  let is_black = Color.equal Color.black in
   let reflection =
-    if mirror = 0. then ""
-    else Printf.sprintf " reflection{%s}" (number mirror)
+    if is_black mirror then ""
+    else Printf.sprintf " reflection{rgb%s}" (color mirror)
   in
   let finish pigment kind =
     Printf.fprintf channel " pigment{rgb%s}finish{%s%s}}\n" (color pigment)
       kind reflection
   in
-  let is_black = Color.equal Color.black in
   match (is_black emission, is_black albedo) with
   | true, true -> finish Color.black "diffuse 0"
   | true, false -> finish albedo "diffuse 1"

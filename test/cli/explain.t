@@ -128,22 +128,31 @@ JSON
 
   $ raylab explain three.scene --json 1,0
   {
-    "version": 1,
+    "version": 2,
     "pixels": [
       {
         "x": 1,
         "y": 0,
         "rgb": [ 51, 102, 153 ],
         "summary": "pixel (1, 0) is rgb 51 102 153: the blue background, since the ray hits nothing",
-        "ray": {
-          "origin": [ 0.0, 0.0, -4.0 ],
-          "direction": [ 0.0, 0.0, 1.0 ],
-          "reach": null,
-          "left": 4,
-          "color": [ 0.2, 0.4, 0.6 ],
-          "outcome": "missed",
-          "hit": null
-        }
+        "color": [ 0.2, 0.4, 0.6 ],
+        "samples": [
+          {
+            "color": [ 0.2, 0.4, 0.6 ],
+            "ray": {
+              "origin": [ 0.0, 0.0, -4.0 ],
+              "direction": [ 0.0, 0.0, 1.0 ],
+              "reach": null,
+              "left": 4,
+              "color": [ 0.2, 0.4, 0.6 ],
+              "outcome": "missed",
+              "hit": null,
+              "terms": [
+                { "source": "background", "color": [ 0.2, 0.4, 0.6 ] }
+              ]
+            }
+          }
+        ]
       }
     ]
   }
@@ -158,23 +167,23 @@ JSON
   "verdict": "lit",
   "verdict": "faces away",
   $ raylab explain three.scene --json 0,0 | grep -A 7 '"object"'
-            "object": {
-              "number": 1,
-              "line": 7,
-              "shape": {
-                "kind": "sphere",
-                "centre": [ -4.0, 0.5, 4.0 ],
-                "radius": 1.0
-              },
-  --
                 "object": {
-                  "number": 2,
-                  "line": 8,
+                  "number": 1,
+                  "line": 7,
                   "shape": {
-                    "kind": "plane",
-                    "point": [ 0.0, -2.0, 0.0 ],
-                    "normal": [ 0.0, 1.0, 0.0 ]
+                    "kind": "sphere",
+                    "centre": [ -4.0, 0.5, 4.0 ],
+                    "radius": 1.0
                   },
+  --
+                      "object": {
+                        "number": 2,
+                        "line": 8,
+                        "shape": {
+                          "kind": "plane",
+                          "point": [ 0.0, -2.0, 0.0 ],
+                          "normal": [ 0.0, 1.0, 0.0 ]
+                        },
 
 If both are asked for, that is a mistake.
 
@@ -196,7 +205,7 @@ It goes to a file; the text is printed as well.
   2
   $ raylab explain three.scene 0,0 --json --svg json.svg | head -n 2
   {
-    "version": 1,
+    "version": 2,
   $ cmp path.svg json.svg
 
 Or to standard output, alone.

@@ -6,8 +6,13 @@ let pixels scene =
   let { Camera.width; height; _ } = (Trace.scene scene).camera in
   List.concat (List.init height (fun y -> List.init width (fun x -> (x, y))))
 
+let explained scene =
+  List.map (fun (x, y) -> Explain.pixel scene ~x ~y) (pixels scene)
+
 let explanations scene =
-  List.map (fun (x, y) -> ((x, y), Explain.pixel scene ~x ~y)) (pixels scene)
+  List.map
+    (fun (pixel : Explain.pixel) -> ((pixel.x, pixel.y), Explain.centre pixel))
+    (explained scene)
 
 let holds ?(count = 200) ?(max_side = 6) what property =
   let test name number =

@@ -5,8 +5,12 @@ open Raylab_tracer
 val pixels : Trace.t -> (int * int) list
 (** [pixels scene] is the places of its pixels. *)
 
+val explained : Trace.t -> Explain.pixel list
+(** [explained scene] explains all of them. *)
+
 val explanations : Trace.t -> ((int * int) * Explain.t) list
-(** [explanations scene] explains all of them. *)
+(** [explanations scene] is the place of each, and the ray through its centre.
+*)
 
 val holds :
   ?count:int ->

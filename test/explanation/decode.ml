@@ -1,6 +1,7 @@
 open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
+open Raylab_explanation
 open Decode_scene
 
 (* {1 Rays} *)
@@ -59,8 +60,8 @@ let light json : Explain.light =
   in
   { number = int (get "number"); light; verdict }
 
-let rec ray json : Explain.t =
-  let names = ray_members @ [ "left"; "color"; "outcome"; "hit" ] in
+let rec ray role json : Explain.t =
+  let names = ray_members @ [ "left"; "color"; "outcome"; "hit"; "terms" ] in
   let get = members names json in
   let outcome : Explain.outcome =
     match (text (get "outcome"), get "hit") with
@@ -70,72 +71,97 @@ let rec ray json : Explain.t =
     | other, _ -> wrong other
   in
   {
+    role;
     ray = bare_ray get;
     left = int (get "left");
     outcome;
+    terms = list term (get "terms");
     color = color (get "color");
   }
 
+and term json : Explain.term =
+  let name = text (member "source" json) in
+  let get rest = members ("source" :: "color" :: rest) json in
+  let source, get, ray =
+    match name with
+    | "background" -> (Event.Background, get [], None)
+    | "emitted" -> (Emitted, get [], None)
+    | "diffused" ->
+        let get = get [ "light" ] in
+        (Diffused { light = color (get "light") }, get, None)
+    | "mirrored" ->
+        let get = get [ "ray" ] in
+        (Mirror, get, optional (ray Mirrored) (get "ray"))
+    | other -> wrong other
+  in
+  { source; color = color (get "color"); ray }
+
 and hit json : Explain.surface_hit =
   let names =
-    [ "object"; "t"; "point"; "normal"; "offset"; "emission"; "albedo" ]
-    @ [ "mirror"; "lights"; "light"; "emitted"; "diffused"; "mirrored" ]
-    @ [ "reflection" ]
+    [ "object"; "t"; "point"; "normal"; "outside"; "part"; "own_point" ]
+    @ [ "offset"; "emission"; "albedo"; "mirror"; "lights" ]
   in
   let get = members names json in
   let number, object_ = object_ (get "object") in
-  let point = vector (get "point") in
+  let own_point = vector (get "own_point") in
   {
     hit =
       {
         number;
+        part = int (get "part");
         t = float (get "t");
-        point;
+        point = vector (get "point");
+        own_point;
         normal = direction (get "normal");
+        outside = bool (get "outside");
         offset = float (get "offset");
       };
     object_;
-    surface = Surface.at object_.surface point;
-    meaning =
+    surface = Surface.at object_.surface own_point;
+    lobes =
       {
         emission = color (get "emission");
         albedo = color (get "albedo");
-        mirror = float (get "mirror");
+        mirror = color (get "mirror");
       };
     lights = list light (get "lights");
-    light = color (get "light");
-    emitted = color (get "emitted");
-    diffused = color (get "diffused");
-    mirrored = color (get "mirrored");
-    reflection = optional ray (get "reflection");
   }
 
 (* {1 Documents} *)
 
 type pixel = {
-  x : int;
-  y : int;
   rgb : int * int * int;
   summary : string;
-  explanation : Explain.t;
+  explanation : Explain.pixel;
 }
 
+let sample json =
+  let get = members [ "color"; "ray" ] json in
+  let e = ray Primary (get "ray") in
+  if e.color <> color (get "color") then wrong "a sample's colour";
+  e
+
 let pixel json =
-  let get = members [ "x"; "y"; "rgb"; "summary"; "ray" ] json in
+  let names = [ "x"; "y"; "rgb"; "summary"; "color"; "samples" ] in
+  let get = members names json in
   let rgb =
     match list int (get "rgb") with
     | [ r; g; b ] -> (r, g, b)
     | _ -> wrong "not three bytes"
   in
   {
-    x = int (get "x");
-    y = int (get "y");
     rgb;
     summary = text (get "summary");
-    explanation = ray (get "ray");
+    explanation =
+      {
+        x = int (get "x");
+        y = int (get "y");
+        samples = list sample (get "samples");
+        color = color (get "color");
+      };
   }
 
 let document json =
   let get = members [ "version"; "pixels" ] json in
-  if int (get "version") <> 1 then wrong "version";
+  if int (get "version") <> Json.version then wrong "version";
   list pixel (get "pixels")

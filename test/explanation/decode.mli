@@ -4,16 +4,12 @@
 
 open Raylab_tracer
 
-val ray : Yojson.Safe.t -> Explain.t
-(** [ray json] is the explanation of which [json] is the RAY. *)
-
 type pixel = {
-  x : int;
-  y : int;
   rgb : int * int * int;
   summary : string;
-  explanation : Explain.t;
+  explanation : Explain.pixel;
 }
 
 val document : Yojson.Safe.t -> pixel list
-(** [document json] is the pixels of a document of version 1. *)
+(** [document json] is the pixels of a document of the version that [Json]
+    writes. *)

@@ -18,6 +18,10 @@ let int : Yojson.Safe.t -> int = function
   | `Int n -> n
   | _ -> wrong "not an integer"
 
+let bool : Yojson.Safe.t -> bool = function
+  | `Bool b -> b
+  | _ -> wrong "not a truth value"
+
 let text : Yojson.Safe.t -> string = function
   | `String s -> s
   | _ -> wrong "not a string"

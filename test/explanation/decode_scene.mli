@@ -16,6 +16,7 @@ val wrong : string -> 'a
 
 val float : Yojson.Safe.t -> float
 val int : Yojson.Safe.t -> int
+val bool : Yojson.Safe.t -> bool
 val text : Yojson.Safe.t -> string
 val list : (Yojson.Safe.t -> 'a) -> Yojson.Safe.t -> 'a list
 val optional : (Yojson.Safe.t -> 'a) -> Yojson.Safe.t -> 'a option

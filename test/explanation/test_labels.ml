@@ -123,7 +123,8 @@ let load name =
   | Error _ -> Alcotest.failf "%s is in error" name
 
 let svg scene prepared (x, y) =
-  Path_picture.to_svg ~pixel:(x, y) scene (Explain.pixel prepared ~x ~y)
+  Path_picture.to_svg ~pixel:(x, y) scene
+    (Explain.centre (Explain.pixel prepared ~x ~y))
 
 let drawn name pixel =
   let scene = load name in

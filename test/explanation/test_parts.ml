@@ -9,40 +9,54 @@ let is_same a b =
 let limited f = Saturate.color f
 let sum a b = limited (Color.add a b)
 
-(* From the left, and limited only at the end. *)
-let sum_of_three a b c = limited (Color.add (Color.add a b) c)
-
 let contribution { Explain.verdict; _ } =
   match verdict with
   | Lit { contribution; _ } -> contribution
   | Faces_away _ | Blocked _ -> Color.black
 
-let hit_adds_up (h : Explain.surface_hit) color =
-  let { Surface.emission; albedo; mirror } = h.meaning in
-  let light =
-    List.fold_left sum Color.black (List.map contribution h.lights)
-  in
-  let seen =
-    match h.reflection with
-    | None -> Color.black
-    | Some next -> Color.scale mirror next.color
-  in
-  is_same h.light light && is_same h.emitted emission
-  && is_same h.diffused (limited (Color.multiply albedo h.light))
-  && is_same h.mirrored (limited seen)
-  && Option.is_some h.reflection = (mirror > 0.)
-  && is_same color (sum_of_three h.emitted h.diffused h.mirrored)
+(* From the left, and limited only at the end. *)
+let total terms =
+  let add sum (term : Explain.term) = Color.add sum term.color in
+  match terms with
+  | [] -> Color.black
+  | (first : Explain.term) :: rest ->
+      limited (List.fold_left add first.color rest)
+
+(* A colour is what its source makes of the lobes, the lights and the ray. *)
+let term_is_right (h : Explain.surface_hit) (term : Explain.term) =
+  let { Lobes.emission; albedo; mirror } = h.lobes in
+  match (term.source, term.ray) with
+  | Emitted, None -> is_same term.color emission
+  | Diffused { light }, None ->
+      let lights = List.map contribution h.lights in
+      is_same light (List.fold_left sum Color.black lights)
+      && is_same term.color (limited (Color.multiply albedo light))
+  | Mirror, None -> Color.largest mirror = 0. && is_same term.color Color.black
+  | Mirror, Some next ->
+      Color.largest mirror > 0.
+      && is_same term.color (limited (Color.multiply mirror next.color))
+  | Background, _ | (Emitted | Diffused _), Some _ -> false
+
+let sources (e : Explain.t) =
+  List.map (fun (term : Explain.term) -> Event.source_name term.source) e.terms
 
 let rec adds_up background (e : Explain.t) =
+  is_same e.color (total e.terms)
+  &&
   match e.outcome with
-  | Missed -> is_same e.color background
-  | Chain_ended -> e.left = 0 && is_same e.color background
-  | Hit h -> (
-      hit_adds_up h e.color
-      &&
-      match h.reflection with
-      | None -> true
-      | Some next -> next.left = e.left - 1 && adds_up background next)
+  | Missed | Chain_ended ->
+      (e.outcome = Missed || e.left = 0)
+      && sources e = [ "background" ]
+      && is_same e.color background
+  | Hit h ->
+      sources e = [ "emitted"; "diffused"; "mirrored" ]
+      && List.for_all (term_is_right h) e.terms
+      && List.for_all
+           (fun (next : Explain.t) ->
+             next.role = Mirrored
+             && next.left = e.left - 1
+             && adds_up background next)
+           (Explain.next e)
 
 let root =
   Any.holds "the root has the pixel's colour" (fun scene ->
@@ -80,7 +94,7 @@ let count (tally : Tally.t) (e : Explain.t) =
             tally.reflected <- tally.reflected + 1;
           ray next
         in
-        Option.iter follow h.reflection
+        List.iter follow (Explain.next e)
   in
   tally.primary <- tally.primary + 1;
   ray e

@@ -8,7 +8,7 @@ open Build
 let draw scene =
   let prepared = Trace.prepare scene in
   let pixel = (0, 0) in
-  let e = Explain.pixel prepared ~x:0 ~y:0 in
+  let e = Explain.centre (Explain.pixel prepared ~x:0 ~y:0) in
   (e, Path_picture.to_svg ~pixel scene e)
 
 (* [count part text] is how often [part] is in [text]. *)

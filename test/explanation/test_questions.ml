@@ -27,10 +27,11 @@ let one_line text =
 
 let test { Questions.scene; x; y; why; summary; tree } =
   let answer () =
-    let e = Explain.pixel (load scene) ~x ~y in
-    let pixel = (x, y) in
-    let said = Summary.to_string ~pixel e in
-    let printed = one_line (Format.asprintf "%a" Report.pp_tree e) in
+    let pixel = Explain.pixel (load scene) ~x ~y in
+    let said = Summary.of_pixel pixel
+    and printed =
+      one_line (Format.asprintf "%a" Report.pp_tree (Explain.centre pixel))
+    in
     List.iter (fun part -> Expect.contains "summary" ~part said) summary;
     List.iter (fun part -> Expect.contains "tree" ~part printed) tree
   in

@@ -55,16 +55,15 @@ let test_order () =
   let scene = Trace.prepare (Scene.make ~lights ~objects (camera ())) in
   let word (event : Event.t) =
     match event with
-    | Cast { left; _ } -> Printf.sprintf "cast %d" left
-    | Chain_ended _ -> "chain ended"
-    | Missed _ -> "missed"
-    | Nearest_hit { number; _ } -> Printf.sprintf "hit %d" number
+    | Opened { role = Primary; left; _ } -> Printf.sprintf "cast %d" left
+    | Opened { role = Mirrored; left; _ } -> Printf.sprintf "bounce %d" left
+    | Met { number; _ } -> Printf.sprintf "hit %d" number
     | Faces_away { light; _ } -> Printf.sprintf "away %d" light
     | Shadow_ray { light; _ } -> Printf.sprintf "shadow %d" light
     | Blocked { light; by; _ } -> Printf.sprintf "blocked %d by %d" light by
     | Lit { light; _ } -> Printf.sprintf "lit %d" light
-    | Bounce { left; _ } -> Printf.sprintf "bounce %d" left
-    | Mixed _ -> "mix"
+    | Closed { terms = [ { source = Background; _ } ]; _ } -> "background"
+    | Closed _ -> "mix"
     | Done _ -> "done"
   in
   Alcotest.(check (list string))

@@ -12,8 +12,10 @@ let ray r =
   && vec3 (Ray.direction r :> Vec3.t)
   && not (Float.is_nan (Ray.reach r))
 
-let hit { Hit.t; point; normal; offset; _ } =
-  number t && vec3 point && vec3 (normal :> Vec3.t) && number offset
+let hit { Hit.t; point; own_point; normal; offset; _ } =
+  number t && vec3 point && vec3 own_point
+  && vec3 (normal :> Vec3.t)
+  && number offset
 
 let verdict = function
   | Explain.Faces_away { cosine } -> number cosine
@@ -23,16 +25,24 @@ let verdict = function
       Option.fold ~none:true ~some:ray shadow_ray
       && number cosine && number falloff && color contribution
 
-let meaning { Surface.emission; albedo; mirror } =
-  color emission && color albedo && channel mirror
+let lobes { Lobes.emission; albedo; mirror } =
+  color emission && color albedo && color mirror
 
-let rec explanation (e : Explain.t) =
-  ray e.ray && color e.color
+let source = function
+  | Event.Diffused { light } -> color light
+  | Background | Emitted | Mirror -> true
+
+let rec ray_explanation (e : Explain.t) =
+  ray e.ray && color e.color && List.for_all term e.terms
   &&
   match e.outcome with
   | Chain_ended | Missed -> true
-  | Hit s -> (
-      hit s.hit && meaning s.meaning
+  | Hit s ->
+      hit s.hit && lobes s.lobes
       && List.for_all (fun { Explain.verdict = v; _ } -> verdict v) s.lights
-      && List.for_all color [ s.light; s.emitted; s.diffused; s.mirrored ]
-      && match s.reflection with None -> true | Some e -> explanation e)
+
+and term { Explain.source = s; color = c; ray } =
+  source s && color c && Option.fold ~none:true ~some:ray_explanation ray
+
+let explanation (pixel : Explain.pixel) =
+  color pixel.color && List.for_all ray_explanation pixel.samples

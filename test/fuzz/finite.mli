@@ -6,6 +6,6 @@ open Raylab_tracer
 val color : Color.t -> bool
 (** [color c] is whether each channel is finite and not negative. *)
 
-val explanation : Explain.t -> bool
+val explanation : Explain.pixel -> bool
 (** [explanation e] is whether every number in [e] and all explanations in it
     is finite, the reach of a ray without end excepted. *)

@@ -23,7 +23,7 @@ let is_same path =
       let same =
         Picture.equal
           (picture (Bvh.index ~domains:1) scene)
-          (picture Query.brute_force scene)
+          (picture Finder.brute_force scene)
       in
       if not same then
         Printf.eprintf "%s: the hierarchy gives another picture\n" path;

@@ -5,10 +5,16 @@ let () =
       Test_vec3.suite;
       Test_direction.suite;
       Test_ray.suite;
+      Test_box3.suite;
+      Test_meeting.suite;
+      Test_spot.suite;
+      Test_crossings.suite;
+      Test_offset.suite;
       Test_sphere.suite;
       Test_sphere_precision.suite;
       Test_plane.suite;
       Test_shape.suite;
-      Test_query.suite;
+      Test_finder.suite;
+      Test_bvh_leaves.suite;
       Test_bvh.suite;
     ]

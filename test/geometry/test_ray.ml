@@ -41,11 +41,23 @@ let test_towards_far () =
        ~short:0.
     = None)
 
+(* Down to the right on a floor goes on up to the right, whichever way the
+   floor's normal points. *)
 let test_reflect () =
-  let down = ray (v 0. 5. 0.) (v 3. (-4.) 0.) in
-  Alcotest.check (Same.ray_near 1e-15) "from the floor"
-    (ray (v 3. 1. 0.) (v 3. 4. 0.))
-    (Ray.reflect down ~point:(v 3. 1. 0.) ~normal:(dir 0. 1. 0.));
+  let check what expected ray ~normal =
+    Alcotest.check (Same.ray_near 1e-15) what expected
+      (Ray.reflect ray ~point:(v 3. 1. 0.) ~normal)
+  and down = ray (v 0. 5. 0.) (v 3. (-4.) 0.) in
+  let up = ray (v 3. 1. 0.) (v 3. 4. 0.) in
+  check "from the floor" up down ~normal:(dir 0. 1. 0.);
+  check "whose normal points down" up down ~normal:(dir 0. (-1.) 0.);
+  check "head on"
+    (ray (v 3. 1. 0.) (v 0. 0. (-1.)))
+    (ray Vec3.zero (v 0. 0. 1.))
+    ~normal:(dir 0. 0. 1.);
+  check "along the surface"
+    (ray (v 3. 1. 0.) (v 3. (-4.) 0.))
+    down ~normal:(dir 0. 0. 1.);
   let short = Ray.towards ~origin:Vec3.zero ~target:(v 0. 0. 2.) ~short:0. in
   check_number "a reflected ray has no end" infinity
     (Ray.reach
@@ -90,6 +102,26 @@ let either_side =
       in
       Vec3.equal (direction normal) (direction (Direction.neg normal)))
 
+(* d and -d are 2 apart, so a reflection of a reflection is told from one. *)
+let involution =
+  Property.holds "reflecting twice is nothing" rays_and_normals
+    (fun (ray, normal) ->
+      let reflect = Ray.reflect ~point:Vec3.zero ~normal in
+      let d = (Ray.direction ray :> Vec3.t)
+      and back = (Ray.direction (reflect (reflect ray)) :> Vec3.t) in
+      Vec3.magnitude (Vec3.sub back d) < 1e-14)
+
+let copies =
+  Property.holds "a register of a ray is a copy of it"
+    (Generate.ray Generate.extreme) (fun ray ->
+      let raw = Ray.to_raw ray in
+      let same = Alcotest.equal (Same.ray_near 0.) in
+      let read = Ray.of_raw raw and before = Ray.of_raw (ray :> Raw_ray.t) in
+      Raw_ray.set_origin raw 1. 2. 3.;
+      Raw_ray.set_direction raw 0. 1. 0.;
+      raw.reach <- 4.;
+      same read before && same ray before)
+
 let suite =
   ( "Ray",
     [
@@ -100,4 +132,6 @@ let suite =
       Alcotest.test_case "pp" `Quick test_pp;
       law_of_reflection;
       either_side;
+      involution;
+      copies;
     ] )

@@ -10,7 +10,10 @@ let test_sphere () =
   Alcotest.(check (list (Same.near 1e-14)))
     "intersections" [ 5.; 7. ]
     (Shape.intersections ball z_axis);
-  Alcotest.check (Same.near 1e-14) "nearest" 5. (Shape.nearest ball z_axis);
+  Alcotest.(check (option (pair (Same.near 1e-14) int)))
+    "nearest, of its only part"
+    (Some (5., 0))
+    (Shape.nearest ball z_axis);
   Alcotest.check Same.direction "outward" (dir 0. 0. (-1.))
     (Shape.normal ball (v 0. 0. 5.));
   Alcotest.(check string) "name" "sphere" (Shape.name ball);
@@ -80,32 +83,104 @@ let test_parts () =
     [ ("point", Vector (v 0. (-1.) 0.)); ("normal", Vector (v 0. 1. 0.)) ]
     floor
 
-(* Every point of a shape is in its ball. *)
-let ball_holds =
-  Property.holds "the ball holds the shape" ~count:5000
-    QCheck2.Gen.(
-      pair (Generate.shape Generate.everyday) (Generate.ray Generate.everyday))
-    (fun (shape, ray) ->
-      match Shape.ball shape with
-      | None -> true
-      | Some ball ->
-          let is_inside t =
-            let way = Vec3.sub (Ray.at ray t) (Sphere.centre ball) in
-            Vec3.length way <= ball.radius +. 1e-6
-          in
-          List.for_all is_inside (Shape.intersections shape ray))
-
 let shapes_and_rays number =
   QCheck2.Gen.pair (Generate.shape number) (Generate.ray number)
 
-(* [nearest] is a faster way to say this of all intersections. *)
-let least_positive ts =
-  List.fold_left Float.min infinity (List.filter (fun t -> t > 0.) ts)
+let is_inside e { Box3.low; high } { Vec3.x; y; z } =
+  let within low x high = low -. e <= x && x <= high +. e in
+  within low.x x high.x && within low.y y high.y && within low.z z high.z
 
+(* With the place on the shape that a hit is brought to. *)
+let box_holds =
+  Property.holds "the box holds every hit" ~count:5000
+    (shapes_and_rays Generate.everyday) (fun (shape, ray) ->
+      let holds box t =
+        is_inside 1e-6 box (Ray.at ray t)
+        && is_inside 1e-14 box (Spot.point (Ask.spot shape ~reach:t ray))
+      in
+      match Shape.box shape with
+      | None -> true
+      | Some box -> List.for_all (holds box) (Shape.intersections shape ray))
+
+(* Centre + radius * direction, and the box is no larger than it must be. *)
+let box_of_sphere =
+  Property.holds "the box of a sphere holds and touches it" ~count:2000
+    QCheck2.Gen.(
+      triple
+        (Generate.vec3 Generate.everyday)
+        (Generate.positive Generate.everyday)
+        (Generate.direction Generate.everyday))
+    (fun (centre, radius, direction) ->
+      let box = Option.get (Shape.box (Shape.sphere ~centre ~radius)) in
+      let point along = Vec3.add centre (Vec3.scale radius along) in
+      let poles = [ v 1. 0. 0.; v 0. 1. 0.; v 0. 0. 1. ] in
+      is_inside 1e-14 box (point (direction :> Vec3.t))
+      && List.for_all
+           (fun pole ->
+             let outside = Vec3.scale 1.000001 pole in
+             is_inside 0. box (point pole)
+             && is_inside 0. box (point (Vec3.neg pole))
+             && (not (is_inside 0. box (point outside)))
+             && not (is_inside 0. box (point (Vec3.neg outside))))
+           poles)
+
+let test_box () =
+  Alcotest.(check bool) "a plane has none" true (Shape.box floor = None)
+
+(* [nearest] is a faster way to say this of all crossings. *)
 let nearest_is_least =
-  Property.holds "nearest is the least positive intersection" ~count:5000
+  Property.holds "nearest is the first crossing in front" ~count:5000
     (shapes_and_rays Generate.extreme) (fun (shape, ray) ->
-      Shape.nearest shape ray = least_positive (Shape.intersections shape ray))
+      let ahead (c : Crossings.crossing) = c.t > 0. in
+      let first = List.find_opt ahead (Shape.crossings shape ray) in
+      Shape.nearest shape ray
+      = Option.map (fun (c : Crossings.crossing) -> (c.t, c.part)) first)
+
+(* Whether a point is in the inside of a shape, by what a shape is. *)
+let holds_point shape point =
+  match (shape : Shape.t) with
+  | Sphere s -> Vec3.length (Vec3.sub point (Sphere.centre s)) < s.radius
+  | Plane p -> Vec3.dot (Vec3.sub point p.point) (p.normal :> Vec3.t) < 0.
+
+(* Far enough from every crossing for rounding not to decide. *)
+let between_crossings ts =
+  let rec middles = function
+    | a :: (b :: _ as rest) ->
+        if b -. a > 1e-4 then ((a +. b) /. 2.) :: middles rest
+        else middles rest
+    | [ last ] -> [ last +. 1. ]
+    | [] -> [ 0. ]
+  in
+  match ts with [] -> [ 0. ] | first :: _ -> (first -. 1.) :: middles ts
+
+let inside_by_turns =
+  Property.holds "crossings lead in and out of the inside" ~count:5000
+    (shapes_and_rays Generate.everyday) (fun (shape, ray) ->
+      let found = Crossings.create () in
+      Shape.crossings_raw shape (Ray.to_raw ray) found;
+      let crossings = Crossings.to_list found in
+      let is_inside t =
+        List.fold_left
+          (fun inside (c : Crossings.crossing) ->
+            if c.t < t then c.enters else inside)
+          found.starts_inside crossings
+      in
+      List.for_all
+        (fun t -> is_inside t = holds_point shape (Ray.at ray t))
+        (between_crossings (Shape.intersections shape ray)))
+
+let pairs =
+  Property.holds "a sphere's crossings come in pairs, in and out" ~count:2000
+    QCheck2.Gen.(
+      triple
+        (Generate.vec3 Generate.extreme)
+        (Generate.positive Generate.extreme)
+        (Generate.ray Generate.extreme))
+    (fun (centre, radius, ray) ->
+      match Ask.crossings (Shape.sphere ~centre ~radius) ray with
+      | [] -> true
+      | [ (a, 0, true); (b, 0, false) ] -> a <= b
+      | _ -> false)
 
 let suite =
   ( "Shape",
@@ -116,6 +191,10 @@ let suite =
       Alcotest.test_case "place" `Quick test_place;
       Alcotest.test_case "equal" `Quick test_equal;
       Alcotest.test_case "parts" `Quick test_parts;
-      ball_holds;
+      Alcotest.test_case "box" `Quick test_box;
+      box_holds;
+      box_of_sphere;
       nearest_is_least;
+      inside_by_turns;
+      pairs;
     ] )

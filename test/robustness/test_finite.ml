@@ -91,6 +91,7 @@ let test_blocker () =
       (Trace.prepare
          (Scene.make (camera ()) ~lights:[ light ] ~objects:[ wall; blocker ]))
       ~x:0 ~y:0
+    |> Explain.centre
   in
   let check what blocker =
     match (explain blocker).outcome with
@@ -107,9 +108,10 @@ let test_many_lights () =
   let lights = List.init 100_000 (fun _ -> bulb (v 0. 1. 0.)) in
   let objects = [ plane (v 0. 0. 4.) (v 0. 0. 1.) matt ] in
   match
-    (Explain.pixel
-       (Trace.prepare (Scene.make (camera ()) ~lights ~objects))
-       ~x:0 ~y:0)
+    (Explain.centre
+       (Explain.pixel
+          (Trace.prepare (Scene.make (camera ()) ~lights ~objects))
+          ~x:0 ~y:0))
       .outcome
   with
   | Hit { lights; _ } ->

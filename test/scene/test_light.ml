@@ -15,13 +15,21 @@ let sun =
 let bulb =
   Light.spherical ~intensity:50. ~color:(rgb 1. 0.5 0.) ~position:(v 3. 4. 0.)
 
+(* How a light meets a surface. *)
+let meet ?(offset = 0.) light ~point ~normal =
+  let incidence = Light.create_incidence () in
+  Light.meet light (Spot.of_point ~point ~normal ~offset) incidence;
+  incidence
+
+(* What a light gives to what it meets so. *)
+let give light ~cosine ~falloff =
+  let color = Raw_color.create () in
+  Raw_color.set color 7. 7. 7.;
+  Light.give light { cosine; falloff } color;
+  Raw_color.to_color color
+
 let test_directional () =
-  let incidence =
-    Option.get (Light.incidence sun ~point:(v 7. 7. 7.) ~normal:up)
-  in
-  Alcotest.check
-    (Same.direction_near 1e-15)
-    "towards" (dir (-0.6) 0.8 0.) incidence.towards;
+  let incidence = meet sun ~point:(v 7. 7. 7.) ~normal:up in
   check_number "cosine" 0.8 incidence.cosine;
   check_number "no fall-off" 1. incidence.falloff;
   (* 0.8 * 2 * (1, 0.5, 0) *)
@@ -30,12 +38,7 @@ let test_directional () =
 
 (* The light is 5 away, 4 of it along the normal: cosine 4/5, fall-off 1/25. *)
 let test_point () =
-  let incidence =
-    Option.get (Light.incidence bulb ~point:Vec3.zero ~normal:up)
-  in
-  Alcotest.check
-    (Same.direction_near 1e-15)
-    "towards" (dir 0.6 0.8 0.) incidence.towards;
+  let incidence = meet bulb ~point:Vec3.zero ~normal:up in
   check_number "cosine" 0.8 incidence.cosine;
   check_number "fall-off" 0.04 incidence.falloff;
   (* 0.8 * 0.04 * 50 * (1, 0.5, 0) *)
@@ -46,9 +49,7 @@ let test_facing_away () =
   let down = dir 0. (-1.) 0. in
   List.iter
     (fun light ->
-      let incidence =
-        Option.get (Light.incidence light ~point:Vec3.zero ~normal:down)
-      in
+      let incidence = meet light ~point:Vec3.zero ~normal:down in
       check_number "negative cosine" (-0.8) incidence.cosine;
       check_color "nothing" Color.black
         (Light.received light ~point:Vec3.zero ~normal:down))
@@ -56,36 +57,51 @@ let test_facing_away () =
   check_color "along the surface" Color.black
     (Light.received sun ~point:Vec3.zero ~normal:(dir 0. 0. 1.))
 
+(* No square of a distance, no light. *)
 let test_at_the_light () =
-  Alcotest.(check bool)
-    "no incidence" true
-    (Light.incidence bulb ~point:(v 3. 4. 0.) ~normal:up = None);
-  check_color "nothing" Color.black
-    (Light.received bulb ~point:(v 3. 4. 0.) ~normal:up);
-  let far = v max_float 0. 0. in
-  let beyond =
-    Light.spherical ~intensity:1. ~color:Color.white
-      ~position:(v (-1e308) 0. 0.)
+  let none what ?offset light ~point =
+    check_number what 0. (meet ?offset light ~point ~normal:up).cosine;
+    if offset = None then
+      check_color what Color.black (Light.received light ~point ~normal:up)
   in
-  Alcotest.(check bool)
-    "too far" true
-    (Light.incidence beyond ~point:far ~normal:up = None)
+  none "at the light" bulb ~point:(v 3. 4. 0.);
+  let above y =
+    Light.spherical ~intensity:1. ~color:Color.white ~position:(v 0. y 0.)
+  in
+  none "farther than a double" (above max_float) ~point:(v 0. (-.max_float) 0.);
+  none "farther than squares" (above 1e154) ~point:Vec3.zero;
+  none "nearer than squares" (above 1e-170) ~point:Vec3.zero;
+  none "nothing to an offset as large" ~offset:1e151 (above 1e100)
+    ~point:Vec3.zero;
+  check_number "as far as squares reach" 1.
+    (meet (above 1e153) ~point:Vec3.zero ~normal:up).cosine
 
-let test_power () =
-  check_color "intensity * colour" (rgb 50. 25. 0.) (Light.power bulb);
+(* cosine * falloff * intensity * colour, the product from the left, limited
+   at each step. *)
+let test_give () =
+  check_color "intensity * colour" (rgb 50. 25. 0.)
+    (give bulb ~cosine:1. ~falloff:1.);
+  check_color "all four" (rgb 1.6 0.8 0.) (give bulb ~cosine:0.8 ~falloff:0.04);
+  check_color "along the surface" Color.black
+    (give bulb ~cosine:0. ~falloff:1.);
+  check_color "behind it" Color.black (give bulb ~cosine:(-1.) ~falloff:1.);
+  check_color "no cosine" Color.black (give bulb ~cosine:nan ~falloff:1.);
   let blinding =
     Light.directional ~intensity:1e200 ~color:(rgb 1e200 1. 0.)
       ~direction:(v 0. (-1.) 0.)
   in
   check_color "at most max_float" (rgb max_float 1e200 0.)
-    (Light.power blinding);
+    (give blinding ~cosine:1. ~falloff:1.);
   check_color "so is what is received" (rgb max_float 1e200 0.)
-    (Light.received blinding ~point:Vec3.zero ~normal:up)
+    (Light.received blinding ~point:Vec3.zero ~normal:up);
+  check_color "nothing of a channel stays nothing"
+    (rgb max_float max_float 0.)
+    (give blinding ~cosine:1. ~falloff:max_float)
 
-(* 1 / (1e-200)^2 is no double either. *)
+(* 1 / (1e-155)^2 is no double either. *)
 let test_very_near () =
   let light =
-    Light.spherical ~intensity:1. ~color:Color.red ~position:(v 0. 1e-200 0.)
+    Light.spherical ~intensity:1. ~color:Color.red ~position:(v 0. 1e-155 0.)
   in
   check_color "at most max_float" (rgb max_float 0. 0.)
     (Light.received light ~point:Vec3.zero ~normal:up)
@@ -143,7 +159,7 @@ let suite =
       Alcotest.test_case "point" `Quick test_point;
       Alcotest.test_case "facing away" `Quick test_facing_away;
       Alcotest.test_case "at the light" `Quick test_at_the_light;
-      Alcotest.test_case "power" `Quick test_power;
+      Alcotest.test_case "give" `Quick test_give;
       Alcotest.test_case "very near" `Quick test_very_near;
       Alcotest.test_case "values" `Quick test_values;
       Alcotest.test_case "invalid" `Quick test_invalid;

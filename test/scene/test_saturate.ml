@@ -15,9 +15,19 @@ let test_color () =
     (Build.rgb 0.5 max_float 0.)
     (Saturate.color (Build.rgb 0.5 infinity nan))
 
+let test_register () =
+  let register = Raw_color.create () in
+  Alcotest.check Same.color "at first" Color.black
+    (Raw_color.to_color register);
+  Raw_color.set register 0.5 infinity nan;
+  Alcotest.check Same.color "each channel"
+    (Build.rgb 0.5 max_float 0.)
+    (Raw_color.to_color register)
+
 let suite =
   ( "Saturate",
     [
       Alcotest.test_case "limit" `Quick test_limit;
       Alcotest.test_case "color" `Quick test_color;
+      Alcotest.test_case "register" `Quick test_register;
     ] )

@@ -6,7 +6,8 @@ let () =
       Test_color.suite;
       Test_grey.suite;
       Test_surface.suite;
-      Test_meaning.suite;
+      Test_raw_lobes.suite;
+      Test_lobes.suite;
       Test_light.suite;
       Test_shadow_ray.suite;
       Test_camera.suite;

@@ -53,6 +53,65 @@ let test_none () =
     "the light is where the ray starts" true
     (Light.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.5 = None)
 
+let test_far () =
+  let shadow_ray y =
+    let light = Light.spherical ~intensity:1. ~color ~position:(v 0. y 0.) in
+    Light.shadow_ray light ~point:Vec3.zero ~normal ~offset:0.
+  in
+  Alcotest.check (Same.near 1e140) "as far as squares reach" 1e153
+    (Ray.reach (Option.get (shadow_ray 1e153)));
+  Alcotest.(check bool) "farther" true (shadow_ray 1e155 = None);
+  Alcotest.(check bool) "very far" true (shadow_ray max_float = None)
+
+let places =
+  QCheck2.Gen.(
+    triple
+      (Generate.vec3 Generate.everyday)
+      (Generate.direction Generate.everyday)
+      (float_range 0. 0.1))
+
+(* However the register was used before. *)
+let aimed light ~point ~normal ~offset =
+  let raw = Raw_ray.create () in
+  raw.reach <- 0.;
+  let spot = Spot.of_point ~point ~normal ~offset in
+  Spot.start spot raw;
+  if Light.aim light spot raw then Some (Ray.of_raw raw) else None
+
+(* By the light's own numbers: the ray starts off the point, goes against the
+   light's direction or to its position, and ends [offset] before that. *)
+let aims =
+  Property.holds "from the offset point to the light" ~count:2000
+    QCheck2.Gen.(pair (Generate.light Generate.everyday) places)
+    (fun (light, (point, normal, offset)) ->
+      let start = Vec3.add point (Vec3.scale offset (normal :> Vec3.t)) in
+      let near a b = Vec3.length (Vec3.sub a b) < 1e-12 in
+      match (aimed light ~point ~normal ~offset, light.source) with
+      | None, _ -> false
+      | Some ray, Directional along ->
+          near (Ray.origin ray) start
+          && Vec3.equal
+               (Vec3.neg (along :> Vec3.t))
+               (Ray.direction ray :> Vec3.t)
+          && Ray.reach ray = infinity
+      | Some ray, Spherical position ->
+          near (Ray.origin ray) start
+          && near (Ray.at ray (Ray.reach ray +. offset)) position
+          && abs_float (Vec3.length (Ray.direction ray :> Vec3.t) -. 1.)
+             < 1e-14)
+
+let one_mathematics =
+  Property.holds "shadow_ray is aim, whatever the numbers" ~count:2000
+    QCheck2.Gen.(
+      triple
+        (Generate.light Generate.extreme)
+        (Generate.vec3 Generate.extreme)
+        (Generate.direction Generate.extreme))
+    (fun (light, point, normal) ->
+      let offset = 1e-5 in
+      let pure = Light.shadow_ray light ~point ~normal ~offset in
+      compare pure (aimed light ~point ~normal ~offset) = 0)
+
 let suite =
   ( "Shadow rays",
     [
@@ -60,4 +119,7 @@ let suite =
       Alcotest.test_case "point" `Quick test_point;
       Alcotest.test_case "endless" `Quick test_endless;
       Alcotest.test_case "none" `Quick test_none;
+      Alcotest.test_case "far" `Quick test_far;
+      aims;
+      one_mathematics;
     ] )

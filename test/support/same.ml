@@ -41,21 +41,21 @@ let color = Alcotest.testable pp_exact_color Color.equal
 let color_near e = Alcotest.testable pp_exact_color (is_near_color e)
 let surface = Alcotest.testable Surface.pp Surface.equal
 
-let pp_meaning ppf { Surface.emission; albedo; mirror } =
+let pp_lobes ppf { Lobes.emission; albedo; mirror } =
   Format.fprintf ppf "emission %a, albedo %a, mirror %a" pp_exact_color
-    emission pp_exact_color albedo pp_exact mirror
+    emission pp_exact_color albedo pp_exact_color mirror
 
-let meaning_near e =
+let lobes_near e =
   let close a b = is_near (e *. Float.max (abs_float a) (abs_float b)) a b in
   let close_color (a : Color.t) (b : Color.t) =
     close a.r b.r && close a.g b.g && close a.b b.b
   in
-  Alcotest.testable pp_meaning (fun a b ->
-      close_color a.Surface.emission b.Surface.emission
+  Alcotest.testable pp_lobes (fun a b ->
+      close_color a.Lobes.emission b.Lobes.emission
       && close_color a.albedo b.albedo
-      && close a.mirror b.mirror)
+      && close_color a.mirror b.mirror)
 
-let meaning = meaning_near 0.
+let lobes = lobes_near 0.
 let light = Alcotest.testable Light.pp Light.equal
 let object_ = Alcotest.testable Object.pp Object.equal
 let scene = Alcotest.testable Scene.pp Scene.equal

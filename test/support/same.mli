@@ -20,10 +20,10 @@ val ray_near : float -> Ray.t Alcotest.testable
 val color : Color.t Alcotest.testable
 val color_near : float -> Color.t Alcotest.testable
 val surface : Surface.t Alcotest.testable
-val meaning : Surface.meaning Alcotest.testable
+val lobes : Lobes.t Alcotest.testable
 
-val meaning_near : float -> Surface.meaning Alcotest.testable
-(** [meaning_near e] allows an error of [e] relative to the larger number. *)
+val lobes_near : float -> Lobes.t Alcotest.testable
+(** [lobes_near e] allows an error of [e] relative to the larger number. *)
 
 val light : Light.t Alcotest.testable
 val object_ : Object.t Alcotest.testable

@@ -39,12 +39,14 @@ So do all others.
   - : Direction.t = (0, 0, 1)
   $ say 'Shape.sphere ~centre:(vec 0. 0. 6.) ~radius:1.'
   - : Shape.t = sphere centre (0, 0, 6) radius 1
+  $ say 'Shape.box (Shape.sphere ~centre:(vec 0. 0. 6.) ~radius:1.)'
+  - : Box3.t option = Some (-1, -1, 5) to (1, 1, 7)
   $ say 'match (List.hd (scene ()).objects).shape with Plane p -> Some p | _ -> None'
   - : Plane.t option = Some plane point (0, -3, 0) normal (0, 1, 0)
   $ say 'mixed [ (0.5, diffusive red); (0.5, reflective) ]'
   - : Surface.t = mixed 0.5 diffusive 1 0 0 0.5 reflective
-  $ say 'Surface.meaning (luminous red)'
-  - : Surface.meaning = emission rgb 1 0 0, albedo rgb 0 0 0, mirror 0
+  $ say 'Surface.lobes (luminous red)'
+  - : Lobes.t = emission rgb 1 0 0, albedo rgb 0 0 0, mirror 0
   $ say 'List.hd (scene ()).lights'
   - : Light.t = directional light, intensity 1, rgb 1 1 1, direction (0, 0, 1)
   $ say 'List.hd (scene ()).objects'
@@ -60,15 +62,14 @@ So do all others.
   object 1: plane point (0, -3, 0) normal (0, 1, 0), reflective
   object 2: plane point (0, 0, 20) normal (0, 0, 1), luminous 1 0.5 0
   object 3: sphere centre (0, 0, 2) radius 1, diffusive 1 1 1
-  $ say '(pixel 2 2).outcome'
+  $ say '(Explain.centre (pixel 2 2)).outcome'
   - : Explain.outcome =
   object 3, t = 5 at (0, 0, 1), normal (0, 0, -1)
   sphere centre (0, 0, 2) radius 1, diffusive 1 1 1
   emission rgb 0 0 0, albedo rgb 1 1 1, mirror 0
   light 1: lit, cosine 1, fall-off 1, gives rgb 1 1 1
   light 2: faces away, cosine -1
-  emitted rgb 0 0 0 + diffused rgb 1 1 1 + mirrored rgb 0 0 0
-  $ say 'match (pixel 2 2).outcome with Hit h -> h.lights | _ -> []'
+  $ say 'match (Explain.centre (pixel 2 2)).outcome with Hit h -> h.lights | _ -> []'
   - : Explain.light list =
   [light 1: lit, cosine 1, fall-off 1, gives rgb 1 1 1;
    light 2: faces away, cosine -1]
@@ -93,9 +94,9 @@ A pixel is explained as "raylab explain" does it, by the rendering itself.
   light 1, facing away from light 2
   - : unit = ()
   $ say 'pixel 2 2'
-  - : Explain.t =
-  the ray is rgb 255 255 255: a white sphere (object 3, line 6), lit by light 1,
-  facing away from light 2
+  - : Explain.pixel =
+  pixel (2, 2) is rgb 255 255 255: a white sphere (object 3, line 6), lit by
+  light 1, facing away from light 2
   
   ray 1: (0, 0, -4) + t (0, 0, 1), 4 left in the chain
     hits sphere 3 (line 6) at t = 5, point (0, 0, 1), normal (0, 0, -1)
@@ -109,7 +110,7 @@ A pixel is explained as "raylab explain" does it, by the rendering itself.
     + diffused rgb 1 1 1 = albedo * all light
     + mirrored rgb 0 0 0
     = colour of ray 1: rgb 1 1 1
-  $ say 'explain (primary 2 2) = pixel 2 2, trace (primary 2 2) = (pixel 2 2).color'
+  $ say 'explain (primary 2 2) = Explain.centre (pixel 2 2), trace (primary 2 2) = (pixel 2 2).color'
   - : bool * bool = (true, true)
 
 Words

@@ -90,11 +90,12 @@ let is_broken_well pp value =
 let explained (e : Explain.t) =
   is_broken_well Printers.explain e
   && is_broken_well Printers.outcome e.outcome
+  && List.for_all (is_broken_well Printers.term) e.terms
   &&
   match e.outcome with
   | Hit h ->
       is_broken_well Printers.hit h.hit
-      && is_broken_well Printers.meaning h.meaning
+      && is_broken_well Printers.lobes h.lobes
       && List.for_all (is_broken_well Printers.explain_light) h.lights
   | Missed | Chain_ended -> true
 

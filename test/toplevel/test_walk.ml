@@ -3,10 +3,10 @@ open Raylab_tracer
 open Raylab_toplevel
 
 (* Events that are told apart by a number. *)
-let event k = Event.Missed (Color.make k 0. 0.)
+let event k = Event.Done (Color.make k 0. 0.)
 
 let number : Event.t * Walk.t -> float = function
-  | Missed { r; _ }, _ -> r
+  | Done { r; _ }, _ -> r
   | _ -> Alcotest.fail "not one of these events"
 
 let check what expected place =

@@ -22,14 +22,14 @@ let scene k ~light ~object_ =
    worked out from the shape and the light alone. *)
 let expected (scene : Scene.t) ray =
   let shape = (List.hd scene.objects).shape in
-  let t = Shape.nearest shape ray in
-  if t = infinity then Color.black
-  else
-    let point = Ray.at ray t in
-    let outward = Shape.normal shape point in
-    let along = Vec3.dot (outward :> Vec3.t) (Ray.direction ray :> Vec3.t) in
-    let normal = if along > 0. then Direction.neg outward else outward in
-    Light.received (List.hd scene.lights) ~point ~normal
+  match Shape.nearest shape ray with
+  | None -> Color.black
+  | Some (t, part) ->
+      let point = Ray.at ray t in
+      let outward = Shape.normal shape ~part point in
+      let along = Vec3.dot (outward :> Vec3.t) (Ray.direction ray :> Vec3.t) in
+      let normal = if along > 0. then Direction.neg outward else outward in
+      Light.received (List.hd scene.lights) ~point ~normal
 
 (* [check what ~least scene] looks at every pixel: one that hits the object
    where it faces the light is lit. At least [least] of them do. *)

@@ -1,6 +1,5 @@
 (* What holds of every scene, however strange its numbers. *)
 
-open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -60,15 +59,15 @@ let kept_in_gives_nothing =
 (* The first of the objects that are hit at the least distance. *)
 let nearest_object (scene : Scene.t) ray =
   let nearer (best, limit) (o : Object.t) =
-    let t = Shape.nearest o.shape ray in
+    let t = Ask.distance o.shape ray in
     if t < limit then (Some o, t) else (best, limit)
   in
   fst (List.fold_left nearer (None, infinity) scene.objects)
 
 (* With one ray and no light the colour is what is emitted and the mirror's part
    of the background. *)
-let triple =
-  Property.holds "one ray without light shows the triple" ~count:500 ~print
+let lobes =
+  Property.holds "one ray without light shows the lobes" ~count:500 ~print
     (Generate.scene ~max_side:1 Generate.everyday) (fun scene ->
       let scene =
         Scene.make ~background:scene.background ~ray_depth:1
@@ -79,19 +78,11 @@ let triple =
         match nearest_object scene ray with
         | None -> scene.background
         | Some o ->
-            let { Surface.emission; mirror; _ } = Surface.meaning o.surface in
-            Color.add emission (Color.scale mirror scene.background)
+            let { Lobes.emission; mirror; _ } = Surface.lobes o.surface in
+            Color.add emission (Color.multiply mirror scene.background)
       in
       Alcotest.equal (Same.color_near 1e-9) expected
         (Trace.ray (Trace.prepare scene) ray))
-
-(* What holds of any shape and surface holds of those with a quicker way. *)
-let quick_is_no_other =
-  Property.holds "the general way shows the same" ~count:500 ~print
-    (Generate.scene ~max_side:6 Generate.everyday) (fun scene ->
-      let general = Trace.prepare ~quick:false scene in
-      Seq.equal Color.equal (pixels scene)
-        (Seq.map (Trace.ray general) (Trace.primary_rays scene)))
 
 let suite =
   ( "Any scene",
@@ -101,7 +92,6 @@ let suite =
       any_ray;
       ray_is_pixel;
       grey_stays_grey;
-      triple;
-      quick_is_no_other;
+      lobes;
       kept_in_gives_nothing;
     ] )

@@ -17,27 +17,52 @@ let wall z = plane (v 0. 0. z) (v 0. 0. 1.) Surface.reflective
 let floor = plane (v 0. (-1.) 0.) (v 0. 1. 0.) Surface.reflective
 let z_axis = ray Vec3.zero (v 0. 0. 1.)
 
-let check what ~t ~point ~normal objects ray =
+let check what ~t ~point ~normal ~outside objects ray =
   let found = Option.get (hit objects ray) in
   Alcotest.check (Same.near 1e-14) (what ^ ", t") t found.t;
   Alcotest.check (Same.vec3_near 1e-14) (what ^ ", point") point found.point;
   Alcotest.check
     (Same.direction_near 1e-14)
-    (what ^ ", normal") normal found.normal
+    (what ^ ", normal") normal found.normal;
+  Alcotest.(check bool) (what ^ ", outside") outside found.outside;
+  Alcotest.(check int) (what ^ ", its only part") 0 found.part
 
 (* The normal is on the side that the ray comes from. *)
 let test_sides () =
   check "from outside" ~t:4. ~point:(v 0. 0. 4.) ~normal:(dir 0. 0. (-1.))
-    [ ball ] z_axis;
+    ~outside:true [ ball ] z_axis;
   check "from inside" ~t:1. ~point:(v 0. 0. 6.) ~normal:(dir 0. 0. (-1.))
-    [ ball ]
+    ~outside:false [ ball ]
     (ray (v 0. 0. 5.) (v 0. 0. 1.));
   check "from above" ~t:1. ~point:(v 0. (-1.) 0.) ~normal:(dir 0. 1. 0.)
-    [ floor ]
+    ~outside:true [ floor ]
     (ray Vec3.zero (v 0. (-1.) 0.));
   check "from below" ~t:1. ~point:(v 0. (-1.) 0.) ~normal:(dir 0. (-1.) 0.)
-    [ floor ]
+    ~outside:false [ floor ]
     (ray (v 0. (-2.) 0.) (v 0. 1. 0.))
+
+(* Beside the point by rounding alone, and on the plane by nothing. *)
+let own_point =
+  Property.holds "an own point is the point, as exactly on the shape as can be"
+    QCheck2.Gen.(
+      pair (Generate.shape Generate.everyday) (Generate.ray Generate.everyday))
+    (fun (shape, ray) ->
+      match hit [ Object.make shape Surface.reflective ] ray with
+      | None -> true
+      | Some { t; point; own_point; _ } ->
+          Vec3.length (Vec3.sub point own_point) <= 1e-13 *. (30. +. t))
+
+let test_own_point () =
+  let slab = plane (v 7. 0.1 3.) (v 0. 49. 0.) Surface.reflective in
+  List.iter
+    (fun x ->
+      let found =
+        Option.get (hit [ slab ] (ray (v 0. 3. 0.) (v x (-0.7) 1.)))
+      in
+      Alcotest.check Same.number "exactly at its height" 0.1 found.own_point.y;
+      Alcotest.check Same.number "x as it is" found.point.x found.own_point.x;
+      Alcotest.check Same.number "z as it is" found.point.z found.own_point.z)
+    [ -1. /. 3.; 0.; 0.123; 1. /. 7. ]
 
 let test_which () =
   let check what expected objects =
@@ -102,6 +127,8 @@ let suite =
   ( "Hit",
     [
       Alcotest.test_case "sides" `Quick test_sides;
+      Alcotest.test_case "own point" `Quick test_own_point;
+      own_point;
       Alcotest.test_case "which object" `Quick test_which;
       Alcotest.test_case "start" `Quick test_start;
       Alcotest.test_case "large numbers" `Quick test_large_numbers;

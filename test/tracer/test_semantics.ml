@@ -1,17 +1,55 @@
+(* The equations of doc/semantics.mld, written from that page alone: of the
+   libraries they take data and the arithmetic of vectors and colours, and no
+   function that the tracer computes with. *)
+
 open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Test_support
 
-(* {1 The equations} *)
+(* + - * are of vectors, +. -. *. of numbers *)
+open Vec3.Infix
 
-(* All hits of [ray] that count, each a distance and an object. *)
+let dot = Vec3.dot
+let length v = sqrt (dot v v)
+let unit v = 1. /. length v * v
+let ( ++ ) = Color.add
+
+(* {1 Rays} *)
+
+type ray = { o : Vec3.t; d : Vec3.t; rho : float }
+
+let at { o; d; _ } t = o + (t * d)
+let mirrored d n = d - (2. *. dot d n * n)
+
+(* {1 Shapes} *)
+
+let centre (s : Sphere.t) = Vec3.make s.cx s.cy s.cz
+
+let intersections (shape : Shape.t) { o; d; _ } =
+  match shape with
+  | Sphere s ->
+      let m = dot (centre s - o) d in
+      let l = centre s - o - (m * d) in
+      let delta = (s.radius *. s.radius) -. dot l l in
+      if delta >= 0. then [ m -. sqrt delta; m +. sqrt delta ] else []
+  | Plane { point = q; normal } ->
+      let n = (normal :> Vec3.t) in
+      if dot d n <> 0. then [ dot (q - o) n /. dot d n ] else []
+
+let outward (shape : Shape.t) p =
+  match shape with
+  | Sphere s -> 1. /. s.radius * (p - centre s)
+  | Plane { normal; _ } -> (normal :> Vec3.t)
+
+(* {1 Hits} *)
+
+(* All that count, each a distance and an object. *)
 let hits (scene : Scene.t) ray =
-  let counts t = 0. < t && t < Ray.reach ray in
   List.concat_map
     (fun (o : Object.t) ->
-      Shape.intersections o.shape ray
-      |> List.filter counts
+      intersections o.shape ray
+      |> List.filter (fun t -> 0. < t && t < ray.rho)
       |> List.map (fun t -> (t, o)))
     scene.objects
 
@@ -21,47 +59,88 @@ let nearest scene ray =
   in
   List.fold_left nearer None (hits scene ray)
 
-let normal_towards ray shape point =
-  let n = Shape.normal shape point in
-  let d = (Ray.direction ray :> Vec3.t) in
-  if Vec3.dot d (n :> Vec3.t) > 0. then Direction.neg n else n
+let facing { d; _ } n = if dot d n > 0. then -n else n
 
-let offset (scene : Scene.t) ray shape point =
-  let size = match (shape : Shape.t) with Sphere s -> s.radius | _ -> 0. in
+let offset (scene : Scene.t) (shape : Shape.t) p { o; _ } =
+  let { Camera.canvas_width; canvas_height; depth; _ } = scene.camera in
+  let absolute { Vec3.x; y; z } = abs_float x +. abs_float y +. abs_float z in
+  let size = match shape with Sphere s -> s.radius | Plane _ -> 0. in
   Float.max
-    (1e-5 *. Camera.scale scene.camera)
-    (0x1p-44
-    *. (size +. Vec3.magnitude point +. Vec3.magnitude (Ray.origin ray)))
+    (1e-5 *. Float.min (Float.min canvas_width canvas_height) depth)
+    (ldexp (size +. absolute p +. absolute o) (-44))
 
-let light (scene : Scene.t) ~point ~normal ~offset =
-  let is_blocked shadow_ray =
-    List.exists
-      (fun (t, _) -> Light.blocks shadow_ray t)
-      (hits scene shadow_ray)
-  in
+(* {1 Surfaces} *)
+
+(* E, A and M. *)
+let rec denotes (surface : Surface.t) =
+  match surface with
+  | Diffusive c -> (Color.black, c, Color.black)
+  | Reflective -> (Color.black, Color.black, Color.white)
+  | Luminous c -> (c, Color.black, Color.black)
+  | Mixed parts ->
+      let add (e, a, m) (k, part) =
+        let e', a', m' = denotes part in
+        (e ++ Color.scale k e', a ++ Color.scale k a', m ++ Color.scale k m')
+      in
+      List.fold_left add (Color.black, Color.black, Color.black) parts
+
+(* {1 Light} *)
+
+(* L and f *)
+let towards (light : Light.t) p =
+  match light.source with
+  | Directional along -> (-(along :> Vec3.t), 1.)
+  | Spherical s -> (unit (s - p), 1. /. dot (s - p) (s - p))
+
+let received (light : Light.t) p n =
+  let l, f = towards light p in
+  let cosine = Float.max 0. (dot n l) in
+  Color.scale (cosine *. f *. light.intensity) light.color
+
+let shadow_ray (light : Light.t) a e =
+  match light.source with
+  | Directional along -> { o = a; d = -(along :> Vec3.t); rho = infinity }
+  | Spherical s -> { o = a; d = unit (s - a); rho = length (s - a) -. e }
+
+let light scene p n e =
+  let reaches light = hits scene (shadow_ray light (p + (e * n)) e) = [] in
   let gives light =
-    match Light.shadow_ray light ~point ~normal ~offset with
-    | Some shadow_ray when is_blocked shadow_ray -> Color.black
-    | _ -> Light.received light ~point ~normal
+    if reaches light then received light p n else Color.black
   in
-  List.fold_left Color.add Color.black (List.map gives scene.lights)
+  List.fold_left ( ++ ) Color.black (List.map gives scene.lights)
 
-let rec trace (scene : Scene.t) n ray =
-  match if n = 0 then None else nearest scene ray with
+(* {1 Tracing} *)
+
+let rec trace (scene : Scene.t) left ray =
+  match if left = 0 then None else nearest scene ray with
   | None -> scene.background
   | Some (t, { shape; surface; _ }) ->
-      let point = Ray.at ray t in
-      let normal = normal_towards ray shape point in
-      let offset = offset scene ray shape point in
-      let { Surface.emission; albedo; mirror } =
-        Surface.meaning (Surface.at surface point)
+      let p = at ray t in
+      let n = facing ray (outward shape p) and e = offset scene shape p ray in
+      let emission, albedo, mirror = denotes surface in
+      let reflected =
+        { o = p + (e * n); d = mirrored ray.d n; rho = infinity }
       in
-      let start = Vec3.add point (Vec3.scale offset (normal :> Vec3.t)) in
-      let mirrored = Ray.reflect ray ~point:start ~normal in
-      Color.add emission
-        (Color.add
-           (Color.multiply albedo (light scene ~point ~normal ~offset))
-           (Color.scale mirror (trace scene (n - 1) mirrored)))
+      emission
+      ++ Color.multiply albedo (light scene p n e)
+      ++ Color.multiply mirror (trace scene (pred left) reflected)
+
+(* {1 Pixels} *)
+
+let primary { Camera.width; height; canvas_width; canvas_height; depth } x y =
+  let place extent count k =
+    (extent *. (float_of_int k +. 0.5) /. float_of_int count) -. (extent /. 2.)
+  in
+  let q =
+    Vec3.make
+      (place canvas_width width x)
+      (place canvas_height height (Int.sub (pred height) y))
+      0.
+  and o = Vec3.make 0. 0. (-.depth) in
+  { o; d = unit (q - o); rho = infinity }
+
+let pixel (scene : Scene.t) ~x ~y =
+  trace scene scene.ray_depth (primary scene.camera x y)
 
 (* {1 The tracer beside them} *)
 
@@ -74,9 +153,11 @@ let same =
     ~print:(Property.show Scene.pp)
     (Generate.scene ~max_side:6 Generate.everyday) (fun scene ->
       let prepared = Trace.prepare scene in
+      let { Camera.width; height; _ } = scene.camera in
       Seq.for_all
-        (fun ray ->
-          near (Trace.ray prepared ray) (trace scene scene.ray_depth ray))
-        (Trace.primary_rays scene))
+        (fun (x, y) -> near (Trace.pixel prepared ~x ~y) (pixel scene ~x ~y))
+        (Seq.product
+           (Seq.take width (Seq.ints 0))
+           (Seq.take height (Seq.ints 0))))
 
 let suite = ("Semantics", [ same ])

@@ -2,6 +2,7 @@ let () =
   Alcotest.run "tracer"
     [
       Test_picture.suite;
+      Test_prepared.suite;
       Test_hit.suite;
       Test_visibility.suite;
       Test_lighting.suite;

@@ -86,7 +86,7 @@ let overlay ~first_row =
             (Surface.luminous Color.red);
         ]
   in
-  let e = Explain.pixel (Trace.prepare scene) ~x:50 ~y:40 in
+  let e = Explain.centre (Explain.pixel (Trace.prepare scene) ~x:50 ~y:40) in
   Path_overlay.make camera ~first_row e
 
 let test_overlay () =

@@ -4,11 +4,10 @@
     counts if its distance [t] satisfies [0 < t < reach] of the ray. *)
 
 type t = {
-  nearest : Raw_ray.t -> int;
-      (** [nearest ray] is the number of the shape that [ray] hits first, or
-          {!no_shape}. Of shapes hit at the same distance it is the one with
-          the lowest number. The distance of the hit becomes the ray's reach.
-      *)
+  nearest : Raw_ray.t -> Meeting.t -> unit;
+      (** [nearest ray meeting] makes [meeting] what [ray] hits first, or no
+          meeting. Of shapes hit at the same distance it is the one with the
+          lowest number. The distance of the hit becomes the ray's reach. *)
   blocked : int -> Raw_ray.t -> bool;
       (** [blocked series ray] is whether [ray] hits any shape. The ray's reach
           may be another afterwards. It changes nothing in the answer which
@@ -22,9 +21,6 @@ type t = {
 type index = unit -> t
 (** The type for sets of shapes that can be asked: [index ()] is a new way to
     ask. *)
-
-val no_shape : int
-(** [no_shape] is the number, -1, that stands for no shape. *)
 
 val brute_force : Shape.t array -> index
 (** [brute_force shapes] tests every shape for every ray: slow, and so plain

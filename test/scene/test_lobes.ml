@@ -2,10 +2,11 @@ open Raylab_scene
 open Test_support
 open Build
 
+(* The mirror is the same in all channels. *)
 let check what (emission, albedo, mirror) surface =
-  Alcotest.check (Same.meaning_near 1e-15) what
-    { Surface.emission; albedo; mirror }
-    (Surface.meaning surface)
+  Alcotest.check (Same.lobes_near 1e-15) what
+    { Lobes.emission; albedo; mirror = grey mirror }
+    (Surface.lobes surface)
 
 let black = Color.black
 
@@ -53,21 +54,21 @@ let test_overflow () =
   check "the largest double" (black, black, max_float)
     (Surface.mixed [ (1e200, Surface.mixed [ (1e200, Surface.reflective) ]) ])
 
-let scaled k { Surface.emission; albedo; mirror } =
+let scaled k { Lobes.emission; albedo; mirror } =
   {
-    Surface.emission = Color.scale k emission;
+    Lobes.emission = Color.scale k emission;
     albedo = Color.scale k albedo;
-    mirror = k *. mirror;
+    mirror = Color.scale k mirror;
   }
 
 let sum a b =
   {
-    Surface.emission = Color.add a.Surface.emission b.Surface.emission;
+    Lobes.emission = Color.add a.Lobes.emission b.Lobes.emission;
     albedo = Color.add a.albedo b.albedo;
-    mirror = a.mirror +. b.mirror;
+    mirror = Color.add a.mirror b.mirror;
   }
 
-let is_near = Alcotest.equal (Same.meaning_near 1e-12)
+let is_near = Alcotest.equal (Same.lobes_near 1e-12)
 
 let weighted_surfaces =
   let part =
@@ -77,35 +78,56 @@ let weighted_surfaces =
   in
   QCheck2.Gen.pair part part
 
-(* The mixing of surfaces is the adding of meanings, however the parts nest:
+(* The mixing of surfaces is the adding of lobes, however the parts nest:
    this is also what makes it right to inline an early mix. *)
 let linear =
-  Property.holds "the meaning of a mix is the mix of meanings" ~count:1000
+  Property.holds "the lobes of a mix are the mix of lobes" ~count:1000
     weighted_surfaces (fun ((w, a), (w', b)) ->
       is_near
-        (Surface.meaning (Surface.mixed [ (w, a); (w', b) ]))
-        (sum (scaled w (Surface.meaning a)) (scaled w' (Surface.meaning b))))
+        (Surface.lobes (Surface.mixed [ (w, a); (w', b) ]))
+        (sum (scaled w (Surface.lobes a)) (scaled w' (Surface.lobes b))))
 
 let order =
   Property.holds "the order of parts does not matter" weighted_surfaces
     (fun (p, q) ->
       is_near
-        (Surface.meaning (Surface.mixed [ p; q ]))
-        (Surface.meaning (Surface.mixed [ q; p ])))
+        (Surface.lobes (Surface.mixed [ p; q ]))
+        (Surface.lobes (Surface.mixed [ q; p ])))
 
 let finite =
   Property.holds "finite and not negative, whatever the numbers" ~count:1000
     (Generate.surface Generate.extreme) (fun surface ->
-      let { Surface.emission; albedo; mirror } = Surface.meaning surface in
+      let { Lobes.emission; albedo; mirror } = Surface.lobes surface in
+      let is_light x = Float.is_finite x && x >= 0. in
       List.for_all
-        (fun x -> Float.is_finite x && x >= 0.)
-        [
-          emission.r; emission.g; emission.b; albedo.r; albedo.g; albedo.b;
-          mirror;
-        ] [@ocamlformat "disable"])
+        (fun { Color.r; g; b } -> is_light r && is_light g && is_light b)
+        [ emission; albedo; mirror ])
+
+(* {1 Values} *)
+
+let dark = { Lobes.emission = black; albedo = black; mirror = black }
+
+let test_values () =
+  let red = { dark with mirror = Color.red } in
+  Alcotest.(check bool) "equal" true (Lobes.equal red red);
+  List.iter
+    (fun other -> Alcotest.(check bool) "not" false (Lobes.equal red other))
+    [
+      dark;
+      { dark with mirror = Color.white };
+      { red with albedo = Color.red };
+      { red with emission = Color.red };
+    ];
+  let pp ppf = Format.fprintf ppf "@[%a@]" Lobes.pp in
+  Expect.prints "a grey mirror"
+    "emission rgb 0 0 0, albedo rgb 0.5 0 0, mirror 0.5" pp
+    { dark with albedo = rgb 0.5 0. 0.; mirror = grey 0.5 };
+  Expect.prints "a coloured one"
+    "emission rgb 0 0 0, albedo rgb 0 0 0, mirror rgb 1 0.5 0.25" pp
+    { dark with mirror = rgb 1. 0.5 0.25 }
 
 let suite =
-  ( "Surface.meaning",
+  ( "Lobes",
     [
       Alcotest.test_case "simple surfaces" `Quick test_simple;
       Alcotest.test_case "a mix" `Quick test_mix;
@@ -115,4 +137,5 @@ let suite =
       linear;
       order;
       finite;
+      Alcotest.test_case "values" `Quick test_values;
     ] )

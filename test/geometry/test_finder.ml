@@ -9,23 +9,20 @@ let z_axis = ray Vec3.zero (v 0. 0. 1.)
 let up_to z =
   Option.get (Ray.towards ~origin:Vec3.zero ~target:(v 0. 0. z) ~short:0.)
 
-(* An index overwrites the register that it is asked about. *)
-let register (ray : Ray.t) : Raw_ray.t =
-  (Ray.of_raw (ray :> Raw_ray.t) :> Raw_ray.t)
-
 let ask index shapes ray =
-  let { Query.nearest; blocked } = index (Array.of_list shapes) () in
-  (nearest (register ray), blocked 0 (register ray))
+  let { Finder.nearest; blocked } = index (Array.of_list shapes) ()
+  and meeting = Meeting.create () in
+  (* what was met before makes no difference *)
+  meeting.number <- 0;
+  nearest (Ray.to_raw ray) meeting;
+  (meeting.number, blocked 0 (Ray.to_raw ray))
 
 let check what shapes ray expected =
-  let nearest, blocked = ask Query.brute_force shapes ray in
+  let nearest, blocked = ask Finder.brute_force shapes ray in
   Alcotest.(check int) (what ^ ", nearest") expected nearest;
-  Alcotest.(check bool)
-    (what ^ ", blocked")
-    (expected <> Query.no_shape)
-    blocked
+  Alcotest.(check bool) (what ^ ", blocked") (expected <> Meeting.none) blocked
 
-let none = Query.no_shape
+let none = Meeting.none
 
 let test_nearest () =
   Alcotest.(check int) "no shape" (-1) none;
@@ -70,7 +67,7 @@ let by_definition shapes ray =
 
 let agrees (shapes, ray) =
   let expected = by_definition shapes ray in
-  ask Query.brute_force shapes ray = (expected, expected <> none)
+  ask Finder.brute_force shapes ray = (expected, expected <> none)
 
 let everyday =
   Property.holds "nearest is the least of all hits" ~count:2000
@@ -94,10 +91,10 @@ let not_a_number =
       let part k = if k = axis then nan else 1. in
       let origin = v (part 0) (part 1) (part 2) in
       let ray = Ray.make ~origin ~direction in
-      ask Query.brute_force shapes ray = (none, false))
+      ask Finder.brute_force shapes ray = (none, false))
 
 let suite =
-  ( "Query",
+  ( "Finder",
     [
       Alcotest.test_case "nearest" `Quick test_nearest;
       Alcotest.test_case "ties" `Quick test_ties;

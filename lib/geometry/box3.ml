@@ -1,0 +1,18 @@
+type t = { low : Vec3.t; high : Vec3.t }
+
+let make ~(low : Vec3.t) ~(high : Vec3.t) =
+  if low.x <= high.x && low.y <= high.y && low.z <= high.z then { low; high }
+  else invalid_arg "a box whose low corner is not below its high one"
+
+let centre { low; high } = Vec3.add (Vec3.scale 0.5 low) (Vec3.scale 0.5 high)
+
+let reach { low; high } =
+  let half_x = (0.5 *. high.x) -. (0.5 *. low.x)
+  and half_y = (0.5 *. high.y) -. (0.5 *. low.y)
+  and half_z = (0.5 *. high.z) -. (0.5 *. low.z) in
+  Float.max half_x (Float.max half_y half_z)
+
+let equal a b = Vec3.equal a.low b.low && Vec3.equal a.high b.high
+
+let pp ppf { low; high } =
+  Format.fprintf ppf "%a to %a" Vec3.pp low Vec3.pp high

@@ -1,0 +1,23 @@
+(** Boxes with sides along the axes. *)
+
+type t = private { low : Vec3.t; high : Vec3.t }
+(** The type for boxes, by the corners with the least and with the greatest
+    coordinates. They may be equal, in one coordinate or in all. *)
+
+val make : low:Vec3.t -> high:Vec3.t -> t
+(** [make ~low ~high] is the box between these corners.
+
+    Raises [Invalid_argument] if a coordinate of [low] is greater than that of
+    [high], or NaN. *)
+
+val centre : t -> Vec3.t
+(** [centre box] is the point in its middle. *)
+
+val reach : t -> float
+(** [reach box] is half the length of its longest side. *)
+
+val equal : t -> t -> bool
+(** [equal a b] is whether the corners are equal. *)
+
+val pp : Format.formatter -> t -> unit
+(** [pp] prints [(-1, -1, 5) to (1, 1, 7)]. *)

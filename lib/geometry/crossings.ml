@@ -1,0 +1,42 @@
+type t = {
+  mutable count : int;
+  mutable starts_inside : bool;
+  mutable distances : float array;
+  mutable parts : int array;
+}
+
+let create () =
+  {
+    count = 0;
+    starts_inside = false;
+    distances = Array.make 8 0.;
+    parts = Array.make 8 0;
+  }
+
+let clear crossings ~starts_inside =
+  crossings.count <- 0;
+  crossings.starts_inside <- starts_inside
+
+let grow crossings =
+  let wider old fill = Array.append old (Array.make (Array.length old) fill) in
+  crossings.distances <- wider crossings.distances 0.;
+  crossings.parts <- wider crossings.parts 0
+
+let[@inline] add crossings ~part t =
+  let at = crossings.count in
+  if at = Array.length crossings.distances then grow crossings;
+  crossings.distances.(at) <- t;
+  crossings.parts.(at) <- part;
+  crossings.count <- at + 1
+
+let enters crossings k = k land 1 = 0 <> crossings.starts_inside
+
+type crossing = { t : float; part : int; enters : bool }
+
+let to_list crossings =
+  List.init crossings.count (fun k ->
+      {
+        t = crossings.distances.(k);
+        part = crossings.parts.(k);
+        enters = enters crossings k;
+      })
