@@ -77,7 +77,7 @@ let rec denotes (surface : Surface.t) =
   | Diffusive c -> (Color.black, c, Color.black)
   | Reflective -> (Color.black, Color.black, Color.white)
   | Luminous c -> (c, Color.black, Color.black)
-  | Mixed parts ->
+  | Mixed { parts; _ } ->
       let add (e, a, m) (k, part) =
         let e', a', m' = denotes part in
         (e ++ Color.scale k e', a ++ Color.scale k a', m ++ Color.scale k m')
