@@ -17,7 +17,7 @@ let repl scene script () =
   let here = Sys.executable_name in
   let program = Filename.concat (Filename.dirname here) prompt in
   let argument = Option.value ~default:"" in
-  Unix.putenv Fast.variable here;
+  Unix.putenv Native.variable here;
   try Unix.execv program [| program; argument scene; argument script |]
   with Unix.Unix_error (error, _, _) ->
     Command.say "cannot run %s, which belongs beside %s: %s%s" program here

@@ -9,10 +9,10 @@ let argument k =
 let load path =
   match Session.load path with
   | Ok scene ->
-      Tell.warnings ~path scene;
+      Console.warnings ~path scene;
       true
   | Error errors ->
-      Tell.errors errors;
+      Console.errors errors;
       false
 
 let run_script scene path =
@@ -20,7 +20,7 @@ let run_script scene path =
   if Option.fold ~none:true ~some:load scene then Prompt.script path else 1
 
 let greeting scene () =
-  let tell path = if load path then Tell.contents path (Session.scene ()) in
+  let tell path = if load path then Console.contents path (Session.scene ()) in
   Option.iter tell scene;
   Format.printf "help () lists what raylab knows; Ctrl-D leaves.@."
 

@@ -28,16 +28,16 @@ let max_depth = Bvh_split.max_depth
 
 (* A ray that touches a shape may, by rounding errors, pass its box by a
    hair. *)
-let room least greatest =
+let margin least greatest =
   0x1p-30 *. Float.max (abs_float least) (abs_float greatest)
 
 let write_box tree node child (box : float array) =
   for axis = 0 to 2 do
     let least = box.(2 * axis) and greatest = box.((2 * axis) + 1) in
-    let room = room least greatest
+    let margin = margin least greatest
     and slot = (12 * node) + (6 * child) + (2 * axis) in
-    tree.boxes.{slot} <- least -. room;
-    tree.boxes.{slot + 1} <- greatest +. room
+    tree.boxes.{slot} <- least -. margin;
+    tree.boxes.{slot + 1} <- greatest +. margin
   done
 
 (* {1 Building} *)

@@ -1,4 +1,4 @@
-open Numbers
+open Unchecked
 
 type t = { cx : float; cy : float; cz : float; radius : float }
 

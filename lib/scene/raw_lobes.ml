@@ -1,4 +1,4 @@
-open Raylab_geometry.Numbers
+open Raylab_geometry.Unchecked
 
 let emission = 0
 let albedo = 3

@@ -44,14 +44,14 @@ let scene = Session.scene
 
 let use scene =
   Session.use scene;
-  Tell.warnings scene
+  Console.warnings scene
 
 let load path =
   match Session.load path with
   | Ok scene ->
-      Tell.contents path scene;
-      Tell.warnings ~path scene
-  | Error errors -> Tell.errors errors
+      Console.contents path scene;
+      Console.warnings ~path scene
+  | Error errors -> Console.errors errors
 
 (* {1 One ray} *)
 
@@ -67,7 +67,7 @@ let pixel x y =
   check_pixel x y;
   Explain.pixel (Session.trace ()) ~x ~y
 
-let why x y = Tell.summary (pixel x y)
+let why x y = Console.summary (pixel x y)
 
 let primary x y =
   check_pixel x y;
@@ -99,8 +99,8 @@ let back () = go Walk.back "there is no step before; next () goes on"
 
 (* {1 The picture} *)
 
-let render () = Fast.picture (scene ())
-let show () = Fast.show ?file:(Session.file ()) (scene ())
+let render () = Native.picture (scene ())
+let show () = Native.show ?file:(Session.file ()) (scene ())
 
 let save path =
   let written =

@@ -62,7 +62,7 @@ val back : unit -> Event.t
 (** {1 The picture}
 
     Whole pictures are rendered by the native program if the prompt was started
-    by it, and otherwise in the prompt, which is much slower; see {!Fast}. *)
+    by it, and otherwise in the prompt, which is much slower; see {!Native}. *)
 
 val render : unit -> Picture.t
 (** [render ()] is the picture of the current scene. *)

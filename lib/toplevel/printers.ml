@@ -13,7 +13,7 @@ let sphere = Broken.at_words Sphere.pp
 let plane = Broken.at_words Plane.pp
 
 let color ppf c =
-  Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp_with (Tell.swatches ())) c
+  Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp_with (Console.swatches ())) c
 
 let surface = Broken.at_words Surface.pp
 
@@ -75,10 +75,10 @@ let explain_light ppf (l : Explain.light) =
   Format.fprintf ppf "@[<hov 2>light %d:@ %a@]" l.number verdict_in_box
     l.verdict
 
-let explain ppf e = Report.pp_with ~swatches:(Tell.swatches ()) ppf e
+let explain ppf e = Report.pp_with ~swatches:(Console.swatches ()) ppf e
 
 let pixel ppf pixel =
-  Report.pp_pixel_with ~swatches:(Tell.swatches ()) ppf pixel
+  Report.pp_pixel_with ~swatches:(Console.swatches ()) ppf pixel
 
 let surface_hit ppf (h : Explain.surface_hit) =
   Format.fprintf ppf "@[<v>%a@,%a@,%a" hit h.hit object_ h.object_ lobes

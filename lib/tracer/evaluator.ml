@@ -1,5 +1,5 @@
 open Raylab_geometry
-open Raylab_geometry.Numbers
+open Raylab_geometry.Unchecked
 open Raylab_scene
 open Registers
 

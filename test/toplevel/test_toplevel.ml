@@ -1,3 +1,3 @@
 let () =
   Alcotest.run "toplevel"
-    [ Test_walk.suite; Test_fast.suite; Test_printing.suite ]
+    [ Test_walk.suite; Test_native.suite; Test_printing.suite ]

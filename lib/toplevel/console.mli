@@ -1,4 +1,4 @@
-(** Telling, as the command line does. *)
+(** What the prompt prints besides values: in the words of the command line. *)
 
 open Raylab_scene
 open Raylab_language

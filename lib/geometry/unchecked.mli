@@ -1,4 +1,4 @@
-(** Arrays of numbers in inner loops. *)
+(** Arrays of numbers in inner loops, read without a check of the place. *)
 
 val ( .%() ) : float array -> int -> float
 (** [a.%(i)] is [a.(i)] without the check that [i] is a place of [a]: only for

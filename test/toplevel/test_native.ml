@@ -8,7 +8,7 @@ let main =
     (Filename.concat Filename.parent_dir_name Filename.parent_dir_name)
     "bin/main.exe"
 
-let with_program path = Unix.putenv Fast.variable path
+let with_program path = Unix.putenv Native.variable path
 
 let scene ~width ~height =
   Scene.make
@@ -31,12 +31,12 @@ let test_same program () =
     Alcotest.(check bool)
       (Printf.sprintf "width %d" width)
       true
-      (Picture.equal (here scene) (Fast.picture scene))
+      (Picture.equal (here scene) (Native.picture scene))
   done
 
 let fails program =
   with_program program;
-  match Fast.picture (scene ~width:3 ~height:3) with
+  match Native.picture (scene ~width:3 ~height:3) with
   | _ -> Alcotest.failf "%s made a picture" program
   | exception Failure message -> message
 
@@ -69,12 +69,12 @@ let test_signal () =
 
 let test_too_large () =
   let scene = scene ~width:1_000_000 ~height:1_000_000 in
-  match Fast.picture scene with
+  match Native.picture scene with
   | _ -> Alcotest.fail "no error"
   | exception Sys_error _ -> ()
 
 let suite =
-  ( "Fast",
+  ( "Native",
     [
       Alcotest.test_case "the program" `Quick (test_same main);
       Alcotest.test_case "no program" `Quick (test_same "/missing");
