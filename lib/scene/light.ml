@@ -89,7 +89,7 @@ let shadow_ray light ~point ~normal ~offset =
   Spot.start spot ray;
   if aim light spot ray then Some (Ray.of_raw ray) else None
 
-let blocks shadow_ray t = 0. < t && t < Ray.reach shadow_ray
+(* {1 Forms} *)
 
 let name light =
   match light.source with

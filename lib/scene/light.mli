@@ -75,12 +75,11 @@ val shadow_ray :
     is no double. *)
 
 val aim : t -> Spot.t -> Raw_ray.t -> bool
-(** [aim light spot ray] makes [ray], which is at the {!Spot.start} of [spot],
-    the shadow ray to [light] and is true; false if there is none. *)
+(** [aim light spot ray] makes [ray], which is at the
+    {!Raylab_geometry.Spot.start} of [spot], the shadow ray to [light] and is
+    true; false if there is none. *)
 
-val blocks : Ray.t -> float -> bool
-(** [blocks shadow_ray t] is whether a hit at distance [t] of a shadow ray lies
-    between its point and its light. *)
+(** {1 Forms} *)
 
 val name : t -> string
 (** [name light] is the scene language's word: ["directional"] or

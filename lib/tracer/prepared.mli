@@ -10,13 +10,13 @@ type t = private {
   objects : Object.t array;
   shapes : Shape.t array;  (** of the objects *)
   lobes : float array;
-      (** what surfaces denote, row by row; see {!Raw_lobes} *)
+      (** what surfaces denote, row by row; see {!Raylab_scene.Raw_lobes} *)
   rows : int array;
       (** where the row of each object's surface starts; {!varies} if that is
           to be asked at each point *)
-  levels : int;  (** how deep surfaces nest, {!Surface.levels} *)
+  levels : int;  (** how deep surfaces nest, {!Raylab_scene.Surface.levels} *)
   index : Finder.index;
-  offset : float;  (** the usual one; see {!Offset} *)
+  offset : float;  (** the usual one; see {!Raylab_geometry.Offset} *)
 }
 (** The type for prepared scenes. *)
 

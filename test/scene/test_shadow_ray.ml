@@ -16,6 +16,12 @@ let test_directional () =
     (ray (v 5. 0.1 0.) (v (-3.) 4. 0.))
     (Option.get (Light.shadow_ray sun ~point:(v 5. 0. 0.) ~normal ~offset:0.1))
 
+(* Whether what a shadow ray meets at distance [t] is in the way of the light. *)
+let blocks shadow_ray t =
+  let meeting = Meeting.create () in
+  Meeting.offer meeting (Ray.to_raw shadow_ray) ~number:0 ~part:0 t;
+  not (Meeting.is_none meeting)
+
 (* From (0, 0.1, 0) to (0, 4, 0) it is 3.9; 0.1 of it is left out. *)
 let test_point () =
   let bulb = Light.spherical ~intensity:1. ~color ~position:(v 0. 4. 0.) in
@@ -26,7 +32,7 @@ let test_point () =
   Alcotest.check Same.vec3 "towards the light" (v 0. 1. 0.)
     (Ray.direction shadow_ray :> Vec3.t);
   let check what expected t =
-    Alcotest.(check bool) what expected (Light.blocks shadow_ray t)
+    Alcotest.(check bool) what expected (blocks shadow_ray t)
   in
   check "between" true 2.;
   check "just before its end" true (Float.pred (Ray.reach shadow_ray));
@@ -44,8 +50,8 @@ let test_endless () =
   let shadow_ray =
     Option.get (Light.shadow_ray sun ~point:Vec3.zero ~normal ~offset:0.1)
   in
-  Alcotest.(check bool) "far away" true (Light.blocks shadow_ray 1e300);
-  Alcotest.(check bool) "never" false (Light.blocks shadow_ray infinity)
+  Alcotest.(check bool) "far away" true (blocks shadow_ray 1e300);
+  Alcotest.(check bool) "never" false (blocks shadow_ray infinity)
 
 let test_none () =
   let bulb = Light.spherical ~intensity:1. ~color ~position:(v 0. 0.5 0.) in
