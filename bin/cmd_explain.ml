@@ -22,6 +22,15 @@ let check_pixel { Camera.width; height; _ } (x, y) =
       "pixel %d,%d is not in the picture: x is from 0 to %d, y from 0 to %d" x
       y (width - 1) (height - 1)
 
+let check_extension path =
+  match Extension.of_path path with
+  | Ok ("" | ".svg") -> ()
+  | Ok extension ->
+      Command.usage_error
+        "%s: the path of the rays is drawn as SVG, not as '%s'; use .svg" path
+        extension
+  | Error message -> Command.usage_error "%s" message
+
 let check_svg options =
   match (options.svg, options.pixels) with
   | Some "", _ ->
@@ -34,7 +43,8 @@ let check_svg options =
         "option --svg: only one thing can go to standard output"
   | Some path, _ when Command.is_same_file path options.scene ->
       Command.usage_error "%s is the scene; the picture would replace it" path
-  | _ -> ()
+  | Some path, _ -> check_extension path
+  | None, _ -> ()
 
 (* {1 What is said} *)
 

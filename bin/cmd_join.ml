@@ -10,9 +10,11 @@ let or_refuse = function
   | Ok value -> value
   | Error messages -> Command.refuse messages
 
-let join parts out quiet () =
+let join parts out wanted quiet () =
   let files = or_refuse (Join.files parts) in
-  let format = Output.format out ~inputs:files ~named:"one of the bands" in
+  let format =
+    Output.format ?wanted out ~inputs:files ~named:"one of the bands"
+  in
   let join = or_refuse (Join.check files) in
   let { Band.width; height; _ } = Join.whole join in
   or_write_error (Picture_file.check_format format ~width ~height);
@@ -36,8 +38,9 @@ let parts =
 let out =
   let doc =
     "Write the picture to $(docv), whose extension says in which format: \
-     $(b,.bmp), $(b,.png) or $(b,.ppm); without extension it is BMP. $(b,-) \
-     is standard output, in BMP. A picture that is already there is replaced."
+     $(b,.bmp), $(b,.png) or $(b,.ppm); without extension, and on standard \
+     output, which is $(b,-), it is BMP, or what $(b,--format) says. A \
+     picture that is already there is replaced."
   in
   Arg.(
     required & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
@@ -68,4 +71,4 @@ let cmd =
   in
   Cmd.v
     (Command.info "join" ~doc:"put bands of a picture together" man)
-    (Command.run Term.(const join $ parts $ out $ quiet))
+    (Command.run Term.(const join $ parts $ out $ Output.wanted $ quiet))

@@ -13,6 +13,7 @@ type options = {
   scene : string;
   view : Options.view;
   out : string option;
+  format : Picture_file.format option;
   domains : int option;
   rows : Render.rows option;
   show : show;
@@ -24,7 +25,7 @@ type options = {
 
 type target = Standard_output | File of string
 
-let target { scene; out; _ } =
+let target { scene; out; format; _ } =
   match out with
   | Some "-" -> Standard_output
   | Some path -> File path
@@ -32,12 +33,13 @@ let target { scene; out; _ } =
       Command.usage_error
         "a scene from standard input has no name to call its picture after: \
          say where it goes with -o"
-  | None -> File (Output.beside scene)
+  | None -> File (Output.beside ?format scene)
 
 let format options = function
-  | Standard_output -> Picture_file.Bmp
+  | Standard_output -> Option.value options.format ~default:Picture_file.Bmp
   | File path ->
-      Output.format path ~inputs:[ options.scene ] ~named:"the scene"
+      Output.format ?wanted:options.format path ~inputs:[ options.scene ]
+        ~named:"the scene"
 
 let write format target band picture =
   let written =
@@ -187,10 +189,11 @@ let options show =
   let out =
     let doc =
       "Write the picture to $(docv). Its extension says in which format: \
-       $(b,.bmp), $(b,.png) or $(b,.ppm); without extension it is BMP. $(b,-) \
-       is standard output, in BMP. By default the picture goes beside the \
-       scene, under its name with $(b,.bmp); a picture that is already there \
-       is replaced."
+       $(b,.bmp), $(b,.png) or $(b,.ppm); without extension, and on standard \
+       output, which is $(b,-), it is BMP, or what $(b,--format) says. By \
+       default the picture goes beside the scene, under its name with the \
+       extension of the format in the place of $(b,.scene) or $(b,.txt). A \
+       picture that is already there is replaced."
     in
     value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc
   and rows =
@@ -212,12 +215,12 @@ let options show =
     in
     value & flag & info [ "q"; "quiet" ] ~doc
   in
-  let make scene view out domains rows show stats quiet =
-    { scene; view; out; domains; rows; show; stats; quiet }
+  let make scene view out format domains rows show stats quiet =
+    { scene; view; out; format; domains; rows; show; stats; quiet }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ Options.domains
-    $ rows $ show $ stats $ quiet)
+    const make $ Command.scene_arg $ Options.view $ out $ Output.wanted
+    $ Options.domains $ rows $ show $ stats $ quiet)
 
 let default_show =
   let either = function Never -> If_there_is_a_display | show -> show in

@@ -2,15 +2,24 @@
 
 open Raylab_picture
 
-val beside : string -> string
-(** [beside scene] is where the picture of the scene file [scene] goes if
-    nothing else is said: its name with [.bmp]. *)
+val beside : ?format:Picture_file.format -> string -> string
+(** [beside ~format scene] is where the picture of the scene file [scene] goes
+    if nothing else is said: its name, without [.scene] or [.txt], with the
+    extension of [format], by default [.bmp]. *)
 
 val format :
-  string -> inputs:string list -> named:string -> Picture_file.format
-(** [format path ~inputs ~named] is the format that [path] names. The program
-    ends with a usage error if there is no such format, if [path] is empty, or
-    if it is one of the files [inputs], which messages call [named]. *)
+  ?wanted:Picture_file.format ->
+  string ->
+  inputs:string list ->
+  named:string ->
+  Picture_file.format
+(** [format ~wanted path ~inputs ~named] is the format that [path] names, or if
+    it has no extension [wanted], by default BMP. The program ends with a usage
+    error if there is no such format or it is not [wanted], if [path] is empty,
+    or if it is one of the files [inputs], which messages call [named]. *)
+
+val wanted : Picture_file.format option Cmdliner.Term.t
+(** [wanted] is the option [--format]. *)
 
 val remove_temporary_files : unit -> unit
 (** [remove_temporary_files ()] removes what a file that is being written would

@@ -26,6 +26,11 @@ let parse source =
     | Error _, Some encoding -> Error [ foreign source encoding ]
     | result, _ -> result
 
+let without_extension path =
+  match String.lowercase_ascii (Filename.extension path) with
+  | ".scene" | ".txt" -> Filename.remove_extension path
+  | _ -> path
+
 (* {1 Reading files} *)
 
 let chunk_size = 1 lsl 16

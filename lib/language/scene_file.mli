@@ -17,6 +17,11 @@ val read : string -> (Source.t, Scene_error.t list) result
 val load : string -> (Scene.t, Scene_error.t list) result
 (** [load path] is {!parse} of {!read}[ path]. *)
 
+val without_extension : string -> string
+(** [without_extension path] is [path] without [.scene] or [.txt] at its end,
+    in any case: what else may follow a point, as in [run_0.05], is part of the
+    name. *)
+
 val max_size : int
 (** [max_size] is 2^31 - 1 bytes, almost 2 GiB. *)
 

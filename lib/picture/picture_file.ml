@@ -1,11 +1,13 @@
 type format = Bmp | Png | Ppm
 
 let formats = [ (".bmp", Bmp); (".png", Png); (".ppm", Ppm) ]
+let extension format = fst (List.find (fun (_, f) -> f = format) formats)
 
-let format_of_path path =
-  match String.lowercase_ascii (Filename.extension path) with
-  | "" -> Ok Bmp
-  | extension -> (
+let format_of_path ?(default = Bmp) path =
+  match Extension.of_path path with
+  | Error message -> Error message
+  | Ok "" -> Ok default
+  | Ok extension -> (
       match List.assoc_opt extension formats with
       | Some format -> Ok format
       | None ->

@@ -8,10 +8,13 @@ val formats : (string * format) list
 (** [formats] is the file name extensions, in lower case, with the format that
     each stands for. *)
 
-val format_of_path : string -> (format, string) result
+val extension : format -> string
+(** [extension format] is the one of its files, such as [".png"]. *)
+
+val format_of_path : ?default:format -> string -> (format, string) result
 (** [format_of_path path] is the format that the extension of [path] names,
-    whatever its case, or {!Bmp} if there is none; or a message that says which
-    extensions there are. *)
+    whatever its case, or [default], {!Bmp} if not given, if there is none; or
+    a message that says which extensions there are. *)
 
 val check_size : format -> width:int -> height:int -> (unit, string) result
 (** [check_size format ~width ~height] is whether a picture of this size fits

@@ -148,7 +148,7 @@ let show ?file scene =
   Format.print_flush ();
   let path = Option.value file ~default:"scene" in
   let name = Filename.basename path
-  and out = Filename.remove_extension path ^ ".bmp" in
+  and out = Scene_file.without_extension path ^ ".bmp" in
   match (program (), file) with
   | None, _ -> show_here ~name ~out scene
   | Some program, Some file when still_has scene file ->

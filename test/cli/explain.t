@@ -220,6 +220,14 @@ Or to standard output, alone.
   $ raylab explain three.scene 0,0 --svg three.scene
   raylab: three.scene is the scene; the picture would replace it
   [124]
+  $ raylab explain three.scene 0,0 --svg path.png
+  raylab: path.png: the path of the rays is drawn as SVG, not as '.png'; use .svg
+  [124]
+  $ raylab explain three.scene 0,0 --svg .svg
+  raylab: .svg: there is no name before the extension; put one there
+  [124]
+  $ raylab explain three.scene 0,0 --svg PATH.SVG > text && cmp path.svg PATH.SVG
+  $ rm PATH.SVG
   $ raylab explain three.scene 0,0 --svg ''
   raylab: option --svg: the name of the file is empty
   [124]

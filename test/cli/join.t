@@ -29,6 +29,7 @@ In any order, from any format to any.
   $ raylab join b.png a.ppm c.bmp -q -o joined
   $ cmp joined whole.bmp
   $ raylab join b.png a.ppm c.bmp -o - | cmp - whole.bmp
+  $ raylab join b.png a.ppm c.bmp -o - --format png | cmp - whole.png
 
 A folder is the files in it, but for those that are being written.
 
@@ -134,6 +135,12 @@ Where it goes
   [124]
   $ raylab join a.ppm b.ppm c.ppm -o a.gif
   raylab: a.gif: there is no picture format '.gif'; use .bmp, .png or .ppm
+  [124]
+  $ raylab join a.ppm b.ppm c.ppm -o a.png --format bmp
+  raylab: a.png: the extension says another format than --format does; leave one of them out
+  [124]
+  $ raylab join a.ppm b.ppm c.ppm -o .png
+  raylab: .png: there is no name before the extension; put one there
   [124]
   $ raylab join a.ppm b.ppm c.ppm -o ""
   raylab: option -o: the name of the file is empty

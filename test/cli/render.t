@@ -54,6 +54,21 @@ A scene that is called as a command is needs a path.
   raylab: wrote ./check.bmp
   raylab: no display was found: DISPLAY is not set. The picture is not shown
 
+Only ".scene" and ".txt" make room for the picture's extension. What else may
+follow a point is part of the name, so that no picture takes another's place.
+
+  $ mkdir names && cd names
+  $ for name in run_0.05 run_0.10 run_0.05.scene b.TXT c.old.scene d.bmp; do
+  >   cp ../floor.scene $name && raylab render $name
+  > done
+  raylab: wrote run_0.05.bmp
+  raylab: wrote run_0.10.bmp
+  raylab: wrote run_0.05.bmp
+  raylab: wrote b.bmp
+  raylab: wrote c.old.bmp
+  raylab: wrote d.bmp.bmp
+  $ cd ..
+
 The formats
 -----------
 
@@ -112,6 +127,17 @@ has a dot.
   $ raylab render floor.scene -o v1.png/floor
   raylab: wrote v1.png/floor
   $ cmp floor.bmp v1.png/floor
+
+Where there is no extension, and if nothing is said of the picture's name, the
+format may be.
+
+  $ raylab render floor.scene -o floor --format ppm && cmp floor floor.ppm
+  raylab: wrote floor
+  $ rm floor.png
+  $ raylab render floor.scene --format png
+  raylab: wrote floor.png
+  $ raylab render floor.scene -o a.png --format png && cmp a.png floor.png
+  raylab: wrote a.png
 
 Replacing
 ---------

@@ -22,6 +22,14 @@ Without the command too.
 
   $ raylab sky.scene -o - | cmp - sky.bmp
 
+Another format has to be asked for.
+
+  $ for format in bmp png ppm; do
+  >   raylab render sky.scene -q -o sky.$format
+  >   raylab render sky.scene -o - --format $format | cmp - sky.$format
+  > done
+  $ raylab sky.scene -o - --format=PNG | cmp - sky.png
+
 "-" is standard input. Its scene has no name after which a picture could be
 called, so there must be one.
 

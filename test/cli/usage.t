@@ -128,10 +128,35 @@ Rows:
   raylab: option --rows: the picture has no row 8; its rows are 0 to 7
   [124]
 
+Format:
+
+  $ usage render a.scene -o - --format gif
+  raylab: option '--format': 'gif' is not a picture format: expected bmp, png
+          or ppm
+  [124]
+  $ usage render a.scene -o a.bmp --format png
+  raylab: a.bmp: the extension says another format than --format does; leave one of them out
+  [124]
+  $ usage a.scene -o a.jpg --format png
+  raylab: a.jpg: there is no picture format '.jpg'; use .bmp, .png or .ppm
+  [124]
+
 An output that is no picture, or that is the scene itself, by whatever name:
 
   $ usage render a.scene -o a.gif
   raylab: a.gif: there is no picture format '.gif'; use .bmp, .png or .ppm
+  [124]
+  $ usage render a.scene -o .png
+  raylab: .png: there is no name before the extension; put one there
+  [124]
+  $ usage render a.scene -o some/.hidden
+  raylab: some/.hidden: there is no name before the extension; put one there
+  [124]
+  $ usage view a.scene -o .png
+  raylab: .png: there is no name before the extension; put one there
+  [124]
+  $ usage slurm a.scene -o .png --bands 2
+  raylab: .png: there is no name before the extension; put one there
   [124]
   $ usage render a.scene -o a.scene
   raylab: a.scene is the scene; the picture would replace it
@@ -147,11 +172,11 @@ An output that is no picture, or that is the scene itself, by whatever name:
   $ usage render a.scene -o hard.bmp
   raylab: hard.bmp is the scene; the picture would replace it
   [124]
-  $ cp a.scene picture.bmp
-  $ usage picture.bmp
-  raylab: picture.bmp is the scene; the picture would replace it
+  $ ln -s soft.bmp soft.scene
+  $ usage soft.scene
+  raylab: soft.bmp is the scene; the picture would replace it
   [124]
-  $ cmp a.scene b.scene && cmp picture.bmp b.scene
+  $ cmp a.scene b.scene
 
 Nothing was written by any of these.
 
@@ -161,8 +186,8 @@ Nothing was written by any of these.
   err
   hard.bmp
   out
-  picture.bmp
   soft.bmp
+  soft.scene
 
 The whole of what is printed:
 
@@ -208,7 +233,7 @@ Help and version go to standard output. A version is no place-holder.
          help [OPTION]… [COMMAND]
              show the manual of a command
   
-         join [--output=OUT] [--quiet] [OPTION]… PART…
+         join [--format=FORMAT] [--output=OUT] [--quiet] [OPTION]… PART…
              put bands of a picture together
   
          render [OPTION]… SCENE
@@ -228,6 +253,10 @@ Help and version go to standard output. A version is no place-holder.
              The scene file, or - for standard input.
   
   OPTIONS
+         --format=FORMAT
+             Write the picture in FORMAT: bmp, png or ppm. The extension of
+             OUT, if there is one, must say the same.
+  
          --grey, --gray
              Render in greyscale: take every colour of the scene by its
              luminance.
@@ -238,10 +267,11 @@ Help and version go to standard output. A version is no place-holder.
   
          -o OUT, --output=OUT
              Write the picture to OUT. Its extension says in which format:
-             .bmp, .png or .ppm; without extension it is BMP. - is standard
-             output, in BMP. By default the picture goes beside the scene,
-             under its name with .bmp; a picture that is already there is
-             replaced.
+             .bmp, .png or .ppm; without extension, and on standard output,
+             which is -, it is BMP, or what --format says. By default the
+             picture goes beside the scene, under its name with the extension
+             of the format in the place of .scene or .txt. A picture that is
+             already there is replaced.
   
          -q, --quiet
              Print neither progress nor warnings, nor where the picture went.
@@ -319,6 +349,10 @@ Help and version go to standard output. A version is no place-holder.
              The scene file, or - for standard input.
   
   OPTIONS
+         --format=FORMAT
+             Write the picture in FORMAT: bmp, png or ppm. The extension of
+             OUT, if there is one, must say the same.
+  
          --grey, --gray
              Render in greyscale: take every colour of the scene by its
              luminance.
@@ -329,10 +363,11 @@ Help and version go to standard output. A version is no place-holder.
   
          -o OUT, --output=OUT
              Write the picture to OUT. Its extension says in which format:
-             .bmp, .png or .ppm; without extension it is BMP. - is standard
-             output, in BMP. By default the picture goes beside the scene,
-             under its name with .bmp; a picture that is already there is
-             replaced.
+             .bmp, .png or .ppm; without extension, and on standard output,
+             which is -, it is BMP, or what --format says. By default the
+             picture goes beside the scene, under its name with the extension
+             of the format in the place of .scene or .txt. A picture that is
+             already there is replaced.
   
          -q, --quiet
              Print neither progress nor warnings, nor where the picture went.

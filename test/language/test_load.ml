@@ -53,6 +53,19 @@ let test_name () =
   Alcotest.(check string)
     "printable" "no\u{FFFD}file" (only_error "no\nfile").file
 
+let test_without_extension () =
+  let check path expected =
+    Alcotest.(check string) path expected (Scene_file.without_extension path)
+  in
+  check "a.scene" "a";
+  check "folder.txt/a.TXT" "folder.txt/a";
+  check "a.scene.txt" "a.scene";
+  check "run_0.05" "run_0.05";
+  check "run_0.05.scene" "run_0.05";
+  check "a.scene~" "a.scene~";
+  check ".scene" ".scene";
+  check "folder.scene/a" "folder.scene/a"
+
 let suite =
   ( "Load",
     [
@@ -61,4 +74,5 @@ let suite =
       Alcotest.test_case "unreadable" `Quick test_unreadable;
       Alcotest.test_case "a device" `Quick test_device;
       Alcotest.test_case "name" `Quick test_name;
+      Alcotest.test_case "extension" `Quick test_without_extension;
     ] )

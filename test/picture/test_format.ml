@@ -24,7 +24,13 @@ let test_path () =
   check "../a.scene.png" "PNG";
   check "a.jpg" "none";
   check "a.png~" "none";
-  check "a.bmp.scene" "none"
+  check "a.bmp.scene" "none";
+  check ".png" "none";
+  check "some.folder/.png" "none";
+  check "..png" "none";
+  check ".hidden.png" "PNG";
+  check "." "BMP";
+  check "some.folder/.." "BMP"
 
 let test_message () =
   match Picture_file.format_of_path "dir/a.jpg" with
