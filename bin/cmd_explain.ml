@@ -2,6 +2,7 @@ open Cmdliner
 open Raylab_scene
 open Raylab_tracer
 open Raylab_explanation
+open Raylab_drawing
 open Raylab_picture
 
 type form = Text | Json | Steps

@@ -1,6 +1,6 @@
 open Raylab_geometry
 open Raylab_scene
-open Raylab_explanation
+open Raylab_drawing
 
 type role = Mirrored | Not_followed | Lit | Blocked
 

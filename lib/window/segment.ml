@@ -1,4 +1,4 @@
-open Raylab_explanation
+open Raylab_drawing
 
 type point = float * float
 type t = point * point

@@ -9,7 +9,4 @@ let () =
       Test_parts.suite;
       Test_steps.suite;
       Test_json.suite;
-      Test_svg.suite;
-      Test_path_picture.suite;
-      Test_labels.suite;
     ]

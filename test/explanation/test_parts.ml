@@ -1,5 +1,6 @@
 open Raylab_scene
 open Raylab_tracer
+open Test_support
 
 let is_same a b =
   let bits x = Int64.bits_of_float (x +. 0.) in

@@ -1,6 +1,5 @@
 open Raylab_scene
 open Raylab_tracer
-open Test_support
 
 let pixels scene =
   let { Camera.width; height; _ } = (Trace.scene scene).camera in

@@ -1,5 +1,6 @@
 open Raylab_geometry
 open Raylab_scene
+open Raylab_explanation
 
 (* In pixels. *)
 let widest = 1120.

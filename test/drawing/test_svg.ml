@@ -1,4 +1,4 @@
-open Raylab_explanation
+open Raylab_drawing
 open Test_support
 
 let hostile = "<b a=\"'\">&\x00\x1b[31m\r\n\x7f\u{9b}\xff\xc3\u{FFFE}\xc3\xa9"

@@ -1,7 +1,7 @@
 open Raylab_scene
 open Raylab_tracer
 open Raylab_language
-open Raylab_explanation
+open Raylab_drawing
 open Test_support
 
 (* {1 What an SVG file shows}

@@ -1,7 +1,7 @@
 open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
-open Raylab_explanation
+open Raylab_drawing
 open Test_support
 open Build
 
