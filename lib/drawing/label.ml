@@ -1,15 +1,15 @@
 type t = {
   words : string;
-  anchor : string;
+  anchor : Drawing.anchor;
   size : float;
-  color : string;
-  places : View.point list;
+  ink : int;
+  places : Drawing.point list;
   reach : float;
 }
 
-let make ?(anchor = "start") ?(size = 12.) ?(color = "#222") ?(reach = 60.)
-    places words =
-  { words; anchor; size; color; places; reach }
+let make ?(anchor = Drawing.Start) ?(size = 12.) ?(ink = 0x222222)
+    ?(reach = 60.) places words =
+  { words; anchor; size; ink; places; reach }
 
 (* The usual fonts take less than 0.6 of their size a letter, on average, and a
    few pixels more for a digit or two. *)
@@ -20,14 +20,14 @@ let box { words; anchor; size; _ } (x, y) =
   let width = letter *. size *. float_of_int (String.length words) in
   let left =
     match anchor with
-    | "middle" -> x -. (width /. 2.)
-    | "end" -> x -. width
-    | _ -> x
+    | Start -> x
+    | Middle -> x -. (width /. 2.)
+    | End -> x -. width
   in
   {
     Rectangle.left = left -. rim;
     right = left +. width +. rim;
-    top = y -. (0.8 *. size) -. rim;
+    top = y -. (Drawing.ascent *. size) -. rim;
     bottom = y +. (0.25 *. size) +. rim;
   }
 
@@ -59,11 +59,10 @@ let places panel label =
       |> Seq.map (shift first)
       |> Seq.append (List.to_seq places)
 
-let draw { words; anchor; size; color; _ } place =
-  Svg.text ~anchor ~size ~color place words
+let draw { words; anchor; size; ink; _ } place =
+  Drawing.text ~anchor ~size ~ink place words
 
-let arrange view ~marks labels =
-  let panel = View.rectangle view in
+let arrange panel ~busy labels =
   let is_free taken box =
     Rectangle.holds panel box
     && not (List.exists (Rectangle.overlap box) taken)
@@ -72,7 +71,7 @@ let arrange view ~marks labels =
     let places = places panel label in
     let room taken = Seq.find (fun p -> is_free taken (box label p)) places in
     let place =
-      match room (marks @ taken) with None -> room taken | place -> place
+      match room (busy @ taken) with None -> room taken | place -> place
     in
     match place with
     | None -> (taken, drawn)

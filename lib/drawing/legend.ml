@@ -1,20 +1,15 @@
-let entries : (Path.kind * string) list =
-  [
-    (Primary, "from the eye");
-    (Mirrored, "mirrored");
-    (Lit 0, "shadow ray to a light");
-    (Blocked 0, "shadow ray, blocked");
-  ]
-
+let kinds = [ Path.Primary; Mirrored; Lit; Blocked ]
 let entry_width = 190.
-let width = entry_width *. float_of_int (List.length entries)
+let width = entry_width *. float_of_int (List.length kinds)
 
-let draw (x, y) =
-  let entry i (kind, words) =
+let in_line (x, y) =
+  let entry i kind =
     let x = x +. (entry_width *. float_of_int i) in
     let b = (x +. 34., y) in
-    Svg.line ~style:(Stroke.style kind) (x, y) b
-    :: (match kind with Blocked _ -> Stroke.cross b | _ -> [])
-    @ [ Svg.text ~size:11. (x +. 48., y +. 4.) words ]
+    Ray_look.line Paper kind (x, y) b
+    @ (if kind = Path.Blocked then Ray_look.cross Paper b else [])
+    @ [
+        Drawing.text ~size:11. (x +. 48., y +. 4.) (Ray_look.words Paper kind);
+      ]
   in
-  List.concat (List.mapi entry entries)
+  List.concat (List.mapi entry kinds)

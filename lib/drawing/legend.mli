@@ -1,7 +1,8 @@
-(** What the lines in a picture of a path mean. *)
+(** What the lines of rays mean. *)
 
-val draw : Svg.point -> Svg.t list
-(** [draw corner] explains the kinds of rays, in one line. *)
+val in_line : Drawing.point -> Drawing.t
+(** [in_line p] explains the kinds of rays on paper, beside each other, from
+    [p]. *)
 
 val width : float
 (** [width] is how wide that is. *)

@@ -2,45 +2,77 @@ open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 
-type kind = Primary | Mirrored | Unfollowed | Lit of int | Blocked of int
+type kind = Primary | Mirrored | Unfollowed | Lit | Blocked
 
-type line = {
+type ray = {
   kind : kind;
+  number : int;
   ray : Ray.t;
   length : float;
-  meets : (int * Object.t) option;
+  meets : int option;
+  light : int option;
+  words : string;
 }
 
-let shadow_line { Explain.number; verdict; _ } =
+type hit = { number : int; point : Vec3.t; color : Color.t }
+type t = { rays : ray list; hits : hit list }
+
+let pf = Printf.sprintf
+let name (o : Object.t) number = pf "%s %d" (Shape.name o.shape) number
+
+let shadow_ray number { Explain.number = light; verdict; _ } =
   match verdict with
   | Faces_away _ | Lit { shadow_ray = None; _ } -> None
   | Lit { shadow_ray = Some ray; _ } ->
-      Some { kind = Lit number; ray; length = Ray.reach ray; meets = None }
-  | Blocked { shadow_ray = ray; by; blocker; t; _ } ->
-      let meets = Some (by, blocker) in
-      Some { kind = Blocked number; ray; length = t; meets }
+      let length = Ray.reach ray in
+      let words =
+        pf (if length = infinity then "light %d" else "to light %d") light
+      in
+      let meets = None and light = Some light in
+      Some { kind = Lit; number; ray; length; meets; light; words }
+  | Blocked { shadow_ray = ray; by; blocker; t = length; _ } ->
+      let words = "blocked by " ^ name blocker by in
+      let meets = Some by and light = Some light in
+      Some { kind = Blocked; number; ray; length; meets; light; words }
 
-let rec lines_from (e : Explain.t) =
+(* The ray of [e], the [number]th of the chain. *)
+let chain_ray number (e : Explain.t) =
   let kind = match e.role with Primary -> Primary | Mirrored -> Mirrored in
-  let endless kind =
-    [ { kind; ray = e.ray; length = infinity; meets = None } ]
+  let endless kind words =
+    let meets = None and light = None in
+    { kind; number; ray = e.ray; length = infinity; meets; light; words }
   in
   match e.outcome with
-  | Missed -> endless kind
-  | Chain_ended -> endless Unfollowed
-  | Hit h ->
-      let meets = Some (h.hit.number, h.object_) in
-      { kind; ray = e.ray; length = h.hit.t; meets }
-      :: List.filter_map shadow_line h.lights
-      @ List.concat_map lines_from (Explain.next e)
+  | Missed -> endless kind "to the background"
+  | Chain_ended -> endless Unfollowed "the chain has ended"
+  | Hit { hit; object_; _ } ->
+      let words =
+        Format.asprintf "to %s, t = %a" (name object_ hit.number) Number.pp
+          hit.t
+      in
+      { (endless kind words) with length = hit.t; meets = Some hit.number }
 
-let lines = lines_from
+let hit { Explain.hit = { number; point; _ }; _ } color =
+  { number; point; color }
 
-let rec hits (e : Explain.t) =
-  match e.outcome with
-  | Missed | Chain_ended -> []
-  | Hit h -> (h, e.color) :: List.concat_map hits (Explain.next e)
+(* A loop: chains may be long. *)
+let rec add number rays hits = function
+  | [] -> { rays = List.rev rays; hits = List.rev hits }
+  | (e : Explain.t) :: others ->
+      let rays = chain_ray number e :: rays in
+      let rays, hits =
+        match e.outcome with
+        | Missed | Chain_ended -> (rays, hits)
+        | Hit h ->
+            let shadow_rays = List.filter_map (shadow_ray number) h.lights in
+            (List.rev_append shadow_rays rays, hit h e.color :: hits)
+      in
+      add (number + 1) rays hits (Explain.next e @ others)
 
-let objects e =
-  let met { meets; _ } = Option.map fst meets in
-  List.sort_uniq Int.compare (List.filter_map met (lines e))
+let of_explanation e = add 1 [] [] [ e ]
+
+let end_of { ray; length; _ } =
+  if length = infinity then None else Some (Ray.at ray length)
+
+let objects { rays; _ } =
+  List.sort_uniq Int.compare (List.filter_map (fun ray -> ray.meets) rays)

@@ -1,31 +1,47 @@
-(** The rays of an explanation as lines, for pictures of it. *)
+(** The rays of an explanation as lines in space: what drawings of it draw. *)
 
 open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 
-(** The type for what a ray is sent for. *)
+(** The type for kinds of rays. *)
 type kind =
   | Primary  (** from the eye *)
   | Mirrored
   | Unfollowed  (** to be followed, but the chain had ended *)
-  | Lit of int  (** a shadow ray that reaches this light *)
-  | Blocked of int  (** a shadow ray that does not *)
+  | Lit  (** a shadow ray that reaches its light *)
+  | Blocked  (** a shadow ray that does not *)
 
-type line = {
+type ray = {
   kind : kind;
+  number : int;
+      (** along the chain, from 1; that of a shadow ray is that of the ray from
+          whose hit it starts *)
   ray : Ray.t;
   length : float;  (** [infinity] if it goes on without end *)
-  meets : (int * Object.t) option;  (** the object where it ends *)
+  meets : int option;  (** the number of the object where it ends *)
+  light : int option;  (** the number of the light to which it goes *)
+  words : string;  (** where it goes, such as [to sphere 3, t = 4.5] *)
 }
 (** The type for rays up to where they end. *)
 
-val lines : Explain.t -> line list
-(** [lines e] is the rays of [e], in the order in which they were cast. *)
+type hit = {
+  number : int;  (** of the object *)
+  point : Vec3.t;
+  color : Color.t;  (** that of the ray that hit it *)
+}
+(** The type for hits of the chain. *)
 
-val hits : Explain.t -> (Explain.surface_hit * Color.t) list
-(** [hits e] is the hits of the chain, first to last, with their colours. *)
+type t = { rays : ray list; hits : hit list }
+(** The type for paths: all rays in the order in which they were cast, and all
+    hits. *)
 
-val objects : Explain.t -> int list
-(** [objects e] is the numbers of the objects that were hit or in the way of a
-    light, each once, in ascending order. *)
+val of_explanation : Explain.t -> t
+(** [of_explanation e] is the path of [e]. *)
+
+val end_of : ray -> Vec3.t option
+(** [end_of ray] is where [ray] ends, if it does. *)
+
+val objects : t -> int list
+(** [objects path] is the numbers of the objects that were hit or in the way of
+    a light, each once, in ascending order. *)

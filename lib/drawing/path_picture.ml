@@ -23,13 +23,13 @@ let wrap width sentence =
 
 (* {1 The panels} *)
 
-let panels (frame : Frame.t) =
-  let { Vec3.x; y; z } = Vec3.sub frame.high frame.low in
+let panels (space : Box3.t) =
+  let { Vec3.x; y; z } = Vec3.sub space.high space.low in
   let scale =
     Float.min ((widest -. (3. *. gap)) /. (x +. z)) (highest /. Float.max z y)
   in
   let panel side left width height =
-    { View.side; left; top = 0.; width; height; scale; frame }
+    { Panel.side; left; top = 0.; width; height; scale; space }
   in
   let above = panel Above gap (scale *. x) (scale *. z) in
   let left = above.left +. above.width +. gap in
@@ -41,66 +41,71 @@ let round_length longest =
   let fits k = k *. power <= longest in
   power *. if fits 5. then 5. else if fits 2. then 2. else 1.
 
-let scale_bar (view : View.t) =
-  let length = round_length (0.25 *. view.width /. view.scale) in
-  let y = view.top +. view.height -. 10. and x = view.left +. 10. in
-  let right = x +. (length *. view.scale) in
-  Drawn.all
+let scale_bar (panel : Panel.t) =
+  let length = round_length (0.25 *. panel.width /. panel.scale) in
+  let y = panel.top +. panel.height -. 10. and x = panel.left +. 10. in
+  let right = x +. (length *. panel.scale) in
+  Sketch.all
     [
-      Drawn.mark
+      Sketch.busy
         { Rectangle.left = x; right; top = y -. 4.; bottom = y +. 4. }
-        [
-          Svg.line ~style:{|stroke="#444" stroke-width="2"|} (x, y) (right, y);
-        ];
-      Drawn.label
+        [ Line (Drawing.stroke ~width:2. 0x444444, (x, y), (right, y)) ];
+      Sketch.label
         (Label.make ~size:11. ~reach:0.
            [ (right +. 5., y +. 4.) ]
            (Words.number length));
     ]
 
-let draw_panel ~name words (scene : Scene.t) e (view : View.t) =
-  let corner = (view.left, view.top) in
-  let { View.width; height; _ } = view in
-  let scenery, numbers = Scenery.draw view scene e in
-  let shown = Route.directional_lights e in
-  let drawn =
-    Drawn.all
+let paper =
+  Drawing.filled ~outline:(Drawing.stroke ~width:1. 0xbbbbbb) (Ink 0xfafafa)
+
+let panel_parts name words (scene : Scene.t) path (panel : Panel.t) =
+  let scenery, numbers = Scenery.draw panel scene path in
+  let shown = Rays.lights_shown path in
+  let sketch =
+    Sketch.all
       [
-        scale_bar view;
+        scale_bar panel;
         scenery;
-        Route.draw view e;
-        Light_marks.draw view ~shown scene.lights;
+        Rays.draw panel path;
+        Light_marks.draw panel ~shown scene.lights;
         numbers;
       ]
-  in
+  and box = Panel.box panel in
   [
-    Svg.text ~size:13. (view.left, view.top -. 7.) words;
-    Svg.clip_box ~name corner ~width ~height;
-    Svg.box ~style:{|fill="#fafafa" stroke="#bbb"|} corner ~width ~height;
-    Svg.group ~clip:name (Drawn.draw view drawn);
+    Sheet.Free [ Drawing.text ~size:13. (panel.left, panel.top -. 7.) words ];
+    Panel { name; box; paper; drawing = Sketch.finish box sketch };
   ]
 
-let to_svg ?pixel scene e =
-  let above, beside = panels (Frame.fit scene e) in
+(* {1 The sheet} *)
+
+let make ?pixel scene e =
+  let path = Path.of_explanation e in
+  let above, beside = panels (Extent.of_path scene path) in
   let width =
     Float.max (beside.left +. beside.width +. gap) (Legend.width +. (2. *. gap))
   in
-  let sentence = Summary.to_string ?pixel e in
-  let lines = wrap (width -. (2. *. gap)) sentence in
+  let title = Summary.to_string ?pixel e in
+  let lines = wrap (width -. (2. *. gap)) title in
   let top =
     gap +. (text_line *. float_of_int (List.length lines)) +. caption
   in
-  let panel name words view =
-    draw_panel ~name words scene e { view with View.top }
+  let panel name words panel =
+    panel_parts name words scene path { panel with Panel.top }
   in
   let bottom = top +. Float.max above.height beside.height in
-  let sentence_line i line =
-    Svg.text ~size:13. (gap, gap +. (text_line *. float_of_int i)) line
+  let line i =
+    Drawing.text ~size:13. (gap, gap +. (text_line *. float_of_int i))
   in
-  Svg.document ~width
-    ~height:(bottom +. (2.5 *. gap))
-    ~title:sentence
-    (List.mapi sentence_line lines
-    @ panel "above" "from above: x to the right, z up" above
-    @ panel "beside" "from the side: z to the right, y up" beside
-    @ Legend.draw (gap, bottom +. (1.4 *. gap)))
+  {
+    Sheet.width;
+    height = bottom +. (2.5 *. gap);
+    title;
+    parts =
+      Sheet.Free (List.mapi line lines)
+      :: panel "above" "from above: x to the right, z up" above
+      @ panel "beside" "from the side: z to the right, y up" beside
+      @ [ Free (Legend.in_line (gap, bottom +. (1.4 *. gap))) ];
+  }
+
+let to_svg ?pixel scene e = Svg.document (make ?pixel scene e)

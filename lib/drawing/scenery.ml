@@ -1,20 +1,17 @@
 open Raylab_geometry
 open Raylab_scene
-open Raylab_tracer
 
 let pf = Printf.sprintf
 
-let css color =
-  let r, g, b = Color.to_bytes color in
-  pf "rgb(%d,%d,%d)" r g b
-
 (* A mirror has no colour of its own. *)
+let mirror_color = Color.make (205. /. 255.) (218. /. 255.) (228. /. 255.)
+
 let fill (o : Object.t) =
   let { Lobes.emission; albedo; mirror } = Surface.lobes o.surface in
   let own = Saturate.color (Color.add emission albedo) in
   if Color.largest mirror > 0. && Color.equal own Color.black then
-    "rgb(205,218,228)"
-  else css own
+    Drawing.Seen mirror_color
+  else Seen own
 
 (* {1 Objects} *)
 
@@ -26,118 +23,115 @@ type item = {
   nearness : float;
 }
 
-let item (view : View.t) met number (object_ : Object.t) =
+let item (panel : Panel.t) met number (object_ : Object.t) =
   let size, nearness =
     match Shape.box object_.shape with
     | None -> (infinity, neg_infinity)
     | Some box ->
-        (Box3.reach box, View.towards_viewer view.side (Box3.centre box))
+        (Box3.reach box, Panel.towards_viewer panel.side (Box3.centre box))
   in
   { number; object_; is_met = Hashtbl.mem met number; size; nearness }
 
 (* Whether a shape shows anything in the panel. *)
-let is_visible (view : View.t) item =
+let is_visible (panel : Panel.t) item =
   match Shape.box item.object_.shape with
   | None -> true
   | Some { low; high } ->
-      let left, bottom = View.point view low
-      and right, top = View.point view high in
-      right > view.left
-      && left < view.left +. view.width
-      && bottom > view.top
-      && top < view.top +. view.height
+      let left, bottom = Panel.point panel low
+      and right, top = Panel.point panel high in
+      right > panel.left
+      && left < panel.left +. panel.width
+      && bottom > panel.top
+      && top < panel.top +. panel.height
 
 let most_objects = 300
 
-let chosen view met (scene : Scene.t) =
-  let items = List.mapi (fun i o -> item view met (i + 1) o) scene.objects in
+let chosen panel met (scene : Scene.t) =
+  let items = List.mapi (fun i o -> item panel met (i + 1) o) scene.objects in
   let by_size a b = compare (b.is_met, b.size) (a.is_met, a.size) in
-  List.filter (is_visible view) items
+  List.filter (is_visible panel) items
   |> List.stable_sort by_size
   |> List.filteri (fun i _ -> i < most_objects)
   |> List.stable_sort (fun a b -> Float.compare a.nearness b.nearness)
 
 let name { number; object_; _ } place =
   let words = pf "%s %d" (Shape.name object_.shape) number in
-  Drawn.label (Label.make ~anchor:"middle" [ place ] words)
+  Sketch.label (Label.make ~anchor:Middle [ place ] words)
 
 let bare_number { number; _ } place =
-  Drawn.label
-    (Label.make ~anchor:"middle" ~size:10. ~color:"#888" ~reach:30. [ place ]
+  Sketch.label
+    (Label.make ~anchor:Middle ~size:10. ~ink:0x888888 ~reach:30. [ place ]
        (string_of_int number))
 
 (* {1 All of them} *)
 
 (* At which level a shape is cut: that of its first hit, or of the eye. *)
-let levels side e =
+let levels side { Path.hits; _ } =
   let levels = Hashtbl.create 16 in
   List.iter
-    (fun ((h : Explain.surface_hit), _) ->
-      if not (Hashtbl.mem levels h.hit.number) then
-        Hashtbl.add levels h.hit.number (View.towards_viewer side h.hit.point))
-    (Path.hits e);
+    (fun { Path.number; point; _ } ->
+      if not (Hashtbl.mem levels number) then
+        Hashtbl.add levels number (Panel.towards_viewer side point))
+    hits;
   fun number -> Option.value (Hashtbl.find_opt levels number) ~default:0.
 
 (* At most so many objects that are not met are numbered. *)
 let few = 30
 
 (* The objects, the names of those that are met, the numbers of the others. *)
-let objects (view : View.t) scene e =
+let objects (panel : Panel.t) scene path =
   let met = Hashtbl.create 16 in
-  List.iter (fun number -> Hashtbl.replace met number ()) (Path.objects e);
-  let level = levels view.side e in
-  let items = chosen view met scene in
+  List.iter (fun number -> Hashtbl.replace met number ()) (Path.objects path);
+  let level = levels panel.side path in
+  let items = chosen panel met scene in
   let draw item =
-    let look = { Silhouette.fill = fill item.object_; is_met = item.is_met } in
+    let s = { Silhouette.fill = fill item.object_; is_met = item.is_met } in
     Shape.outline item.object_.shape
-    |> Silhouette.draw view look ~level:(level item.number)
-    |> Option.map (fun (shape, place) -> (item, shape, place))
+    |> Silhouette.draw panel s ~level:(level item.number)
+    |> Option.map (fun (mark, place) -> (item, mark, place))
   in
   let drawn = List.filter_map draw items in
   let names (item, _, place) =
     if item.is_met then Some (name item place) else None
   and numbers (item, _, place) =
-    if (not item.is_met) && View.contains view place then
+    if (not item.is_met) && Panel.shows panel place then
       Some (bare_number item place)
     else None
   in
-  ( Drawn.shapes (List.map (fun (_, shape, _) -> shape) drawn),
-    Drawn.all (List.filter_map names drawn),
+  ( Sketch.marks (List.map (fun (_, mark, _) -> mark) drawn),
+    Sketch.all (List.filter_map names drawn),
     if List.compare_length_with items few <= 0 then
-      Drawn.all (List.filter_map numbers drawn)
-    else Drawn.all [] )
+      Sketch.all (List.filter_map numbers drawn)
+    else Sketch.all [] )
 
 (* {1 Eye and canvas} *)
 
-let eye_and_canvas view
+let eye_and_canvas panel
     { Camera.canvas_width = w; canvas_height = h; depth; _ } =
   let low, high =
-    match view.View.side with
+    match panel.Panel.side with
     | Above -> (Vec3.make (w /. -2.) 0. 0., Vec3.make (w /. 2.) 0. 0.)
     | Beside -> (Vec3.make 0. (h /. -2.) 0., Vec3.make 0. (h /. 2.) 0.)
   in
-  let ((x, y) as eye) = View.point view (Vec3.make 0. 0. (-.depth)) in
-  let ((x', y') as top) = View.point view high in
-  Drawn.all
+  let rim = Drawing.stroke ~width:1.5 0x222222 in
+  let ((x, y) as eye) = Panel.point panel (Vec3.make 0. 0. (-.depth)) in
+  let ((x', y') as top) = Panel.point panel high in
+  Sketch.all
     [
-      Drawn.shapes
+      Sketch.marks
         [
-          Svg.line ~style:{|stroke="#00897b" stroke-width="2.5"|}
-            (View.point view low) top;
+          Line (Drawing.stroke ~width:2.5 0x00897b, Panel.point panel low, top);
         ];
-      Drawn.mark (Rectangle.around eye 6.)
+      Sketch.busy (Rectangle.around eye 6.)
         [
-          Svg.circle ~style:{|fill="white" stroke="#222" stroke-width="1.5"|}
-            eye 5.5;
-          Svg.circle ~style:{|fill="#222"|} eye 2.4;
+          Circle (Drawing.filled ~outline:rim (Ink 0xffffff), eye, 5.5);
+          Circle (Drawing.filled (Ink 0x222222), eye, 2.4);
         ];
-      Drawn.label (Label.make [ (x +. 9., y +. 12.) ] "eye");
-      Drawn.label
-        (Label.make ~color:"#00695c" ~size:11.
-           [ (x' +. 5., y' -. 3.) ]
-           "canvas");
+      Sketch.label (Label.make [ (x +. 9., y +. 12.) ] "eye");
+      Sketch.label
+        (Label.make ~ink:0x00695c ~size:11. [ (x' +. 5., y' -. 3.) ] "canvas");
     ]
 
-let draw view (scene : Scene.t) e =
-  let shapes, names, numbers = objects view scene e in
-  (Drawn.all [ shapes; eye_and_canvas view scene.camera; names ], numbers)
+let draw panel (scene : Scene.t) path =
+  let shapes, names, numbers = objects panel scene path in
+  (Sketch.all [ shapes; eye_and_canvas panel scene.camera; names ], numbers)

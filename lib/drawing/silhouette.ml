@@ -1,75 +1,65 @@
 open Raylab_geometry
 
-let pf = Printf.sprintf
+type t = { fill : Drawing.color; is_met : bool }
 
-type look = { fill : string; is_met : bool }
+let outline { is_met; _ } =
+  if is_met then Drawing.stroke ~width:1.6 0x222222
+  else Drawing.stroke ~width:0.8 0x999999
 
-let stroke look =
-  if look.is_met then {|stroke="#222" stroke-width="1.6"|}
-  else {|stroke="#999" stroke-width="0.8"|}
+let area s opacity = Drawing.filled ~opacity ~outline:(outline s) s.fill
 
 (* Renderers do not like circles of a million pixels: near the panel such a one
    is as good as straight. *)
 let straight = 2e4
 
 (* A sphere that is all around the rest must not hide it. *)
-let opacity (view : View.t) look radius =
-  if radius > 0.4 *. Float.min view.width view.height then 0.08
-  else if look.is_met then 0.55
-  else 0.3
+let opacity { is_met; _ } = if is_met then 0.55 else 0.3
 
-let ball (view : View.t) look (sphere : Sphere.t) =
-  let ((x, y) as centre) = View.point view (Sphere.centre sphere) in
-  let r = view.scale *. sphere.radius in
+let ball_opacity (panel : Panel.t) s radius =
+  if radius > 0.4 *. Float.min panel.width panel.height then 0.08
+  else opacity s
+
+let ball (panel : Panel.t) s (sphere : Sphere.t) =
+  let centre = Panel.point panel (Sphere.centre sphere) in
+  let r = panel.scale *. sphere.radius in
   if r < straight then
-    let style =
-      pf {|fill="%s" fill-opacity="%g" %s|} look.fill (opacity view look r)
-        (stroke look)
-    in
-    Svg.circle ~style centre r
+    Drawing.Circle (area s (ball_opacity panel s r), centre, r)
   else
-    let dx = view.left +. (view.width /. 2.) -. x
-    and dy = view.top +. (view.height /. 2.) -. y in
-    let way = Float.hypot dx dy in
-    let ux = dx /. way and uy = dy /. way in
-    let at along =
-      (x +. (r *. ux) -. (along *. uy), y +. (r *. uy) +. (along *. ux))
-    in
-    let style = pf {|fill="none" %s|} (stroke look) in
-    Svg.line ~style (at (-.straight)) (at straight)
+    let _, way = Way.between centre (Panel.middle panel) in
+    let at = Way.from centre way r in
+    Line (outline s, at (-.straight), at straight)
 
-(* The line in which the plane cuts the plane of the view at [level]. *)
-let trace (view : View.t) { Plane.point; normal } level =
+(* The line in which the plane cuts the plane of the panel at [level]. *)
+let trace (panel : Panel.t) { Plane.point; normal } level =
   let n = (normal :> Vec3.t) in
-  let a = View.across view.side n and b = View.up view.side n in
+  let a = Panel.across panel.side n and b = Panel.up panel.side n in
   let squared = (a *. a) +. (b *. b) in
   if squared < 1e-12 then None
   else
     let rest =
-      Vec3.dot n point -. (level *. View.towards_viewer view.side n)
+      Vec3.dot n point -. (level *. Panel.towards_viewer panel.side n)
     in
     let in_space u v =
-      match view.side with
+      match panel.side with
       | Above -> Vec3.make u level v
       | Beside -> Vec3.make level v u
     in
     let k = rest /. squared in
     let from = in_space (k *. a) (k *. b) in
     let along = Vec3.sub (in_space (-.b) a) (in_space 0. 0.) in
-    View.line view from along
+    Panel.line panel from along
 
-let cut look (a, b) =
-  let style =
-    pf {|stroke="%s" stroke-width="%g"|}
-      (if look.is_met then "#555" else "#aaa")
-      (if look.is_met then 3. else 1.5)
+let cut { is_met; _ } (a, b) =
+  let pen =
+    if is_met then Drawing.stroke ~width:3. 0x555555
+    else Drawing.stroke ~width:1.5 0xaaaaaa
   in
-  Svg.line ~style a b
+  Drawing.Line (pen, a, b)
 
 (* Where the label of a circle or a line stands. *)
-let ball_place (view : View.t) (sphere : Sphere.t) =
-  let x, y = View.point view (Sphere.centre sphere) in
-  let r = view.scale *. sphere.radius in
+let ball_place (panel : Panel.t) (sphere : Sphere.t) =
+  let x, y = Panel.point panel (Sphere.centre sphere) in
+  let r = panel.scale *. sphere.radius in
   if r < 24. then (x, y -. r -. 7.) else (x, y +. 4.)
 
 let cut_place ((x, y), (x', y')) =
@@ -77,23 +67,21 @@ let cut_place ((x, y), (x', y')) =
   (x +. (along *. (x' -. x)), y +. (along *. (y' -. y)) -. 7.)
 
 (* A piece of a plane. One that reaches far beyond the panel is left out. *)
-let patch view look corners =
-  let places = List.map (View.point view) corners in
+let patch panel s corners =
+  let places = List.map (Panel.point panel) corners in
   let is_near (x, y) = abs_float x < straight && abs_float y < straight in
   if List.for_all is_near places then
     let count = float_of_int (List.length places) in
     let mean pick =
       List.fold_left (fun sum p -> sum +. pick p) 0. places /. count
-    and opacity = if look.is_met then 0.55 else 0.3 in
-    let style =
-      pf {|fill="%s" fill-opacity="%g" %s|} look.fill opacity (stroke look)
     in
-    Some (Svg.polygon ~style places, (mean fst, mean snd -. 7.))
+    Some
+      (Drawing.Polygon (area s (opacity s), places), (mean fst, mean snd -. 7.))
   else None
 
-let draw view look ~level : Outline.t -> _ = function
-  | Ball sphere -> Some (ball view look sphere, ball_place view sphere)
+let draw panel s ~level : Outline.t -> _ = function
+  | Ball sphere -> Some (ball panel s sphere, ball_place panel sphere)
   | Endless plane ->
-      let cut ends = (cut look ends, cut_place ends) in
-      Option.map cut (trace view plane level)
-  | Patch corners -> patch view look corners
+      let cut ends = (cut s ends, cut_place ends) in
+      Option.map cut (trace panel plane level)
+  | Patch corners -> patch panel s corners

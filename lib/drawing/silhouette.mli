@@ -1,16 +1,20 @@
-(** How a shape is drawn in a picture of a path. *)
+(** How a shape is drawn in a panel. *)
 
 open Raylab_geometry
 
-type look = {
-  fill : string;  (** its colour, as CSS has it *)
+type t = {
+  fill : Drawing.color;
   is_met : bool;  (** whether the path meets it *)
 }
-(** The type for what decides on the style. *)
+(** The type for what decides on the look. *)
 
 val draw :
-  View.t -> look -> level:float -> Outline.t -> (Svg.t * View.point) option
-(** [draw view look ~level outline] is the drawing of [outline] and the place
+  Panel.t ->
+  t ->
+  level:float ->
+  Outline.t ->
+  (Drawing.mark * Drawing.point) option
+(** [draw panel s ~level outline] is the drawing of [outline] and the place
     where its label belongs. A ball is a circle, a piece of a plane a polygon;
-    a plane without end is the line in which it cuts the plane of the view at
+    a plane without end is the line in which it cuts the plane of the panel at
     [level]. [None] if nothing of it can be drawn in the panel. *)

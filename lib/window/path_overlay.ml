@@ -32,15 +32,16 @@ let role : Path.kind -> role option = function
   | Primary -> None
   | Mirrored -> Some Mirrored
   | Unfollowed -> Some Not_followed
-  | Lit _ -> Some Lit
-  | Blocked _ -> Some Blocked
+  | Lit -> Some Lit
+  | Blocked -> Some Blocked
 
 let most_rays = 400
 
 let make camera ~first_row explanation =
   let shift (x, y) = (x, y -. float_of_int first_row) in
   let rays =
-    List.of_seq (Seq.take most_rays (List.to_seq (Path.lines explanation)))
+    let { Path.rays; _ } = Path.of_explanation explanation in
+    List.of_seq (Seq.take most_rays (List.to_seq rays))
   in
   let line { Path.kind; ray; length; _ } =
     match (role kind, Camera.project_ray camera ray ~length) with
@@ -52,12 +53,12 @@ let make camera ~first_row explanation =
   in
   let is_block { Path.kind; _ } =
     match kind with
-    | Blocked _ -> true
-    | Primary | Mirrored | Unfollowed | Lit _ -> false
+    | Blocked -> true
+    | Primary | Mirrored | Unfollowed | Lit -> false
   and is_chain { Path.kind; _ } =
     match kind with
     | Primary | Mirrored -> true
-    | Unfollowed | Lit _ | Blocked _ -> false
+    | Unfollowed | Lit | Blocked -> false
   in
   {
     lines = List.filter_map line rays;

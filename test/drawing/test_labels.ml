@@ -81,23 +81,19 @@ let words (_, texts) = List.map (fun text -> text.words) texts
 
 (* {1 Room} *)
 
-let view =
-  let frame = { Frame.low = Build.v 0. 0. 0.; high = Build.v 9. 9. 9. } in
-  let width = 200. and height = 100. and scale = 1. in
-  { View.side = Above; left = 0.; top = 0.; width; height; scale; frame }
+let panel = { Rectangle.left = 0.; top = 0.; right = 200.; bottom = 100. }
 
 let test_room () =
   let label ?reach places = Label.make ?reach places "light 1" in
   let here = label [ (50., 50.) ] in
-  let count ?(marks = []) labels =
-    List.length (Label.arrange view ~marks labels)
-  and stands ?(marks = []) labels place =
-    List.mem (Svg.text place "light 1") (Label.arrange view ~marks labels)
+  let count labels = List.length (Label.arrange panel ~busy:[] labels)
+  and stands ?(busy = []) labels place =
+    List.mem (Drawing.text place "light 1") (Label.arrange panel ~busy labels)
   in
   let check what expected result =
     Alcotest.(check bool) what expected result
   in
-  let mark = [ Label.box here (50., 50.) ] in
+  let busy = [ Label.box here (50., 50.) ] in
   check "alone" true (stands [ here ] (50., 50.));
   check "the first of two" true (stands [ here; here ] (50., 50.));
   Alcotest.(check int) "and the second" 2 (count [ here; here ]);
@@ -106,9 +102,9 @@ let test_room () =
   Alcotest.(check int)
     "no room" 1
     (count [ here; label ~reach:0. [ (50., 50.) ] ]);
-  check "not on a mark" false (stands ~marks:mark [ here ] (50., 50.));
+  check "not where it is busy" false (stands ~busy [ here ] (50., 50.));
   check "if there is a choice" true
-    (stands ~marks:mark [ label ~reach:0. [ (50., 50.) ] ] (50., 50.));
+    (stands ~busy [ label ~reach:0. [ (50., 50.) ] ] (50., 50.));
   check "the edge" true
     (let box = Label.box here (0., 0.) in
      stands [ label [ (-99., 999.) ] ] (-.box.left, 100. -. box.bottom))

@@ -51,28 +51,40 @@ let kind : Path.kind -> string = function
   | Primary -> "primary"
   | Mirrored -> "mirrored"
   | Unfollowed -> "unfollowed"
-  | Lit light -> Printf.sprintf "lit %d" light
-  | Blocked light -> Printf.sprintf "blocked %d" light
+  | Lit -> "lit"
+  | Blocked -> "blocked"
 
 let test_lines () =
   let e, _ = draw scene in
-  let show (line : Path.line) =
-    let at = Ray.at line.ray line.length in
-    let met = Option.fold ~none:0 ~some:fst line.meets in
-    Format.asprintf "%s to %d at (%.3f, %.3f, %.3f)" (kind line.kind) met
-      (at.x +. 0.) (at.y +. 0.) (at.z +. 0.)
+  let path = Path.of_explanation e in
+  let show (ray : Path.ray) =
+    let at = Option.get (Path.end_of ray) in
+    let met = Option.value ray.meets ~default:0 in
+    Format.asprintf "%d, %s to %d at (%.3f, %.3f, %.3f)" ray.number
+      (kind ray.kind) met (at.x +. 0.) (at.y +. 0.) (at.z +. 0.)
   in
   Alcotest.(check (list string))
     "rays"
     [
-      "primary to 1 at (0.000, 0.000, 4.000)";
-      "mirrored to 2 at (0.000, 0.000, -9.000)";
-      "lit 1 to 0 at (0.000, 2.000, -1.000)";
-      "blocked 2 to 3 at (0.000, 2.293, -6.707)";
+      "1, primary to 1 at (0.000, 0.000, 4.000)";
+      "2, mirrored to 2 at (0.000, 0.000, -9.000)";
+      "2, lit to 0 at (0.000, 2.000, -1.000)";
+      "2, blocked to 3 at (0.000, 2.293, -6.707)";
     ]
-    (List.map show (Path.lines e));
-  Alcotest.(check (list int)) "objects" [ 1; 2; 3 ] (Path.objects e);
-  Alcotest.(check int) "hits" 2 (List.length (Path.hits e))
+    (List.map show path.rays);
+  Alcotest.(check (list (pair (option int) string)))
+    "lights, and words"
+    [
+      (None, "to plane 1, t = 5");
+      (None, "to plane 2, t = 13");
+      (Some 1, "to light 1");
+      (Some 2, "blocked by sphere 3");
+    ]
+    (List.map (fun (ray : Path.ray) -> (ray.light, ray.words)) path.rays);
+  Alcotest.(check (list int)) "objects" [ 1; 2; 3 ] (Path.objects path);
+  Alcotest.(check (list int))
+    "hits" [ 1; 2 ]
+    (List.map (fun (hit : Path.hit) -> hit.number) path.hits)
 
 let test_elements () =
   let _, svg = draw scene in
@@ -94,19 +106,20 @@ let test_unfollowed () =
 
 (* A piece of a plane is a polygon; far beyond the panel it is nothing. *)
 let test_patch () =
-  let frame = { Frame.low = v 0. 0. 0.; high = v 10. 10. 10. } in
-  let view =
+  let space = Box3.make ~low:(v 0. 0. 0.) ~high:(v 10. 10. 10.) in
+  let panel =
     let width = 100. and height = 100. and scale = 10. in
-    { View.side = Above; left = 0.; top = 0.; width; height; scale; frame }
+    { Panel.side = Above; left = 0.; top = 0.; width; height; scale; space }
   in
   let draw corners =
-    let look = { Silhouette.fill = "red"; is_met = true } in
-    Silhouette.draw view look ~level:0. (Patch corners)
+    let s = { Silhouette.fill = Seen Color.red; is_met = true } in
+    Silhouette.draw panel s ~level:0. (Patch corners)
   in
   (match draw [ v 1. 5. 1.; v 3. 5. 1.; v 2. 5. 4. ] with
   | None -> Alcotest.fail "nothing"
-  | Some (svg, (x, y)) ->
-      Expect.contains "corners" ~part:"10.0,90.0 30.0,90.0 20.0,60.0" svg;
+  | Some (mark, (x, y)) ->
+      Expect.contains "corners" ~part:"10.0,90.0 30.0,90.0 20.0,60.0"
+        (Svg.mark mark);
       Alcotest.check (Same.near 1e-9) "label, across" 20. x;
       Alcotest.check (Same.near 1e-9) "label, above the middle" 73. y);
   Alcotest.(check bool)
@@ -139,17 +152,17 @@ let test_many () =
   Alcotest.(check bool) "some hundreds" true (300 < circles && circles < 800)
 
 (* A star far away and a huge planet make no dots of the rest. *)
-let test_frame () =
+let test_extent () =
   let near =
     List.init 3 (fun k -> sphere (v (float_of_int k) 0. 4.) 1. white)
   in
-  let frame objects =
+  let extent objects =
     let scene = Scene.make ~objects (camera ()) in
-    Frame.fit scene (fst (draw scene))
+    Extent.of_path scene (Path.of_explanation (fst (draw scene)))
   in
-  let alone = frame near
+  let alone = extent near
   and crowded =
-    frame
+    extent
       (near
       @ [
           sphere (v 0. 900. 4.) 1. white;
@@ -167,7 +180,7 @@ let suite =
       Alcotest.test_case "elements" `Quick test_elements;
       Alcotest.test_case "a chain that ends" `Quick test_unfollowed;
       Alcotest.test_case "thousands of spheres" `Quick test_many;
-      Alcotest.test_case "frame" `Quick test_frame;
+      Alcotest.test_case "extent" `Quick test_extent;
       Alcotest.test_case "a piece of a plane" `Quick test_patch;
     ]
     @ sound )

@@ -11,18 +11,20 @@ let escaped =
 let test_text () =
   Expect.contains "text"
     ~part:(">" ^ escaped ^ "</text>")
-    (Svg.text (0., 0.) hostile)
+    (Svg.mark (Drawing.text (0., 0.) hostile))
 
 let test_title () =
   Expect.contains "title"
     ~part:("<title>" ^ escaped ^ "</title>")
-    (Svg.document ~width:1. ~height:1. ~title:hostile [])
+    (Svg.document
+       { Sheet.width = 1.; height = 1.; title = hostile; parts = [] })
 
 (* Nothing that could end an element, start one, or control a terminal. *)
 let inert =
   Property.holds "any text is inert" ~print:String.escaped QCheck2.Gen.string
     (fun text ->
-      let start = Svg.text (0., 0.) "" and whole = Svg.text (0., 0.) text in
+      let element words = Svg.mark (Drawing.text (0., 0.) words) in
+      let start = element "" and whole = element text in
       let stop = "</text>" in
       let first = String.length start - String.length stop in
       let inside =
@@ -37,7 +39,8 @@ let inert =
            inside)
 
 let test_number () =
-  let line x = Svg.line ~style:"" (x, 0.) (0., 0.) in
+  let pen = Drawing.stroke ~width:1. 0 in
+  let line x = Svg.mark (Line (pen, (x, 0.), (0., 0.))) in
   Expect.contains "NaN" ~part:{|x1="0"|} (line nan);
   Alcotest.(check string) "infinity" (line 1e5) (line infinity);
   Alcotest.(check string) "far" (line (-1e5)) (line (-1e300))

@@ -9,10 +9,8 @@ type t = {
   width : float;
   height : float;
   scale : float;
-  frame : Frame.t;
+  space : Box3.t;
 }
-
-type point = float * float
 
 let across side { Vec3.x; z; _ } = match side with Above -> x | Beside -> z
 let up side { Vec3.y; z; _ } = match side with Above -> z | Beside -> y
@@ -20,19 +18,22 @@ let up side { Vec3.y; z; _ } = match side with Above -> z | Beside -> y
 let towards_viewer side { Vec3.x; y; _ } =
   match side with Above -> y | Beside -> x
 
-let point { side; left; top; height; scale; frame; _ } p =
-  ( left +. (scale *. (across side p -. across side frame.low)),
-    top +. height -. (scale *. (up side p -. up side frame.low)) )
+let point { side; left; top; height; scale; space; _ } p =
+  ( left +. (scale *. (across side p -. across side space.low)),
+    top +. height -. (scale *. (up side p -. up side space.low)) )
 
-let contains { left; top; width; height; _ } (x, y) =
+let shows { left; top; width; height; _ } (x, y) =
   left <= x && x <= left +. width && top <= y && y <= top +. height
 
-let rectangle { left; top; width; height; _ } =
+let box { left; top; width; height; _ } =
   { Rectangle.left; top; right = left +. width; bottom = top +. height }
 
-let clip view origin direction range =
-  let { side; left; top; width; height; scale; _ } = view in
-  let x, y = point view origin in
+let middle { left; top; width; height; _ } =
+  (left +. (width /. 2.), top +. (height /. 2.))
+
+let clip panel origin direction range =
+  let { side; left; top; width; height; scale; _ } = panel in
+  let x, y = point panel origin in
   let dx = scale *. across side direction
   and dy = -.scale *. up side direction in
   let range = Clip.narrow range ~from:x ~step:dx left (left +. width) in
@@ -42,7 +43,7 @@ let clip view origin direction range =
     Some (at t0, at t1)
   else None
 
-let segment view origin direction length =
-  clip view origin direction (0., length)
+let segment panel origin direction length =
+  clip panel origin direction (0., length)
 
-let line view p direction = clip view p direction (neg_infinity, infinity)
+let line panel p direction = clip panel p direction (neg_infinity, infinity)

@@ -1,8 +1,5 @@
 open Raylab_geometry
 open Raylab_scene
-open Raylab_tracer
-
-type t = { low : Vec3.t; high : Vec3.t }
 
 let distance u v = Vec3.length (Vec3.sub u v)
 
@@ -10,9 +7,6 @@ let distance u v = Vec3.length (Vec3.sub u v)
 
 let boxes (scene : Scene.t) =
   List.filter_map (fun (o : Object.t) -> Shape.box o.shape) scene.objects
-
-let hits e =
-  List.map (fun ((h : Explain.surface_hit), _) -> h.hit.point) (Path.hits e)
 
 let middle = function
   | [] -> 0.
@@ -50,14 +44,14 @@ let around points =
   let points = List.map clamp points in
   let first = List.hd points in
   let fold f = List.fold_left (pointwise f) first points in
-  { low = fold Float.min; high = fold Float.max }
+  Box3.make ~low:(fold Float.min) ~high:(fold Float.max)
 
 (* No side may be shorter than this part of the longest, and there is a margin
    of that part all around. *)
 let least_side = 0.35
 let margin = 0.04
 
-let widen { low; high } =
+let widen { Box3.low; high } =
   let { Vec3.x; y; z } = Vec3.sub high low in
   let longest = Float.max smallest (Float.max x (Float.max y z)) in
   let grow side =
@@ -65,12 +59,13 @@ let widen { low; high } =
     +. (margin *. longest)
   in
   let more = Vec3.make (grow x) (grow y) (grow z) in
-  { low = Vec3.sub low more; high = Vec3.add high more }
+  Box3.make ~low:(Vec3.sub low more) ~high:(Vec3.add high more)
 
-let fit (scene : Scene.t) e =
+let of_path (scene : Scene.t) { Path.hits; _ } =
   let { Camera.canvas_width = w; canvas_height = h; _ } = scene.camera in
   let eye = Camera.eye scene.camera in
-  let boxes = boxes scene and hits = hits e in
+  let boxes = boxes scene
+  and hits = List.map (fun (hit : Path.hit) -> hit.point) hits in
   let range = range scene boxes hits in
   let is_near point = distance eye point <= range in
   let canvas =

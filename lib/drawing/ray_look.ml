@@ -1,0 +1,55 @@
+type ground = Paper | Picture
+
+let ink ground (kind : Path.kind) =
+  match (ground, kind) with
+  | Paper, Primary -> 0x1565c0
+  | Paper, (Mirrored | Unfollowed) -> 0x8e24aa
+  | Paper, Lit -> 0xe09000
+  | Paper, Blocked -> 0xd32f2f
+  | Picture, (Primary | Mirrored) -> 0x66e0ff
+  | Picture, Unfollowed -> 0xc8a0ff
+  | Picture, Lit -> 0xffe04a
+  | Picture, Blocked -> 0xff5a4a
+
+let words ground (kind : Path.kind) =
+  match (ground, kind) with
+  | _, Primary -> "from the eye"
+  | _, Unfollowed -> "not followed: the chain ended"
+  | Paper, Mirrored -> "mirrored"
+  | Paper, Lit -> "shadow ray to a light"
+  | Paper, Blocked -> "shadow ray, blocked"
+  | Picture, Mirrored -> "mirrored ray"
+  | Picture, Lit -> "to a light"
+  | Picture, Blocked -> "to a light, blocked"
+
+let stroke ground kind =
+  let width, dashes =
+    match (ground, (kind : Path.kind)) with
+    | Paper, (Primary | Mirrored) -> (2.2, None)
+    | Paper, Unfollowed -> (2.2, Some (2., 3.))
+    | Paper, (Lit | Blocked) -> (1.6, Some (6., 4.))
+    | Picture, (Primary | Mirrored) -> (2., None)
+    | Picture, (Unfollowed | Lit | Blocked) -> (1., Some (6., 4.))
+  in
+  { Drawing.ink = ink ground kind; width; dashes }
+
+let rim = 0x101010
+
+let rimmed ground (pen : Drawing.stroke) =
+  match ground with
+  | Paper -> [ pen ]
+  | Picture -> [ { pen with ink = rim; width = pen.width +. 2. }; pen ]
+
+let lines ground pen ends =
+  List.concat_map
+    (fun pen -> List.map (fun (a, b) -> Drawing.Line (pen, a, b)) ends)
+    (rimmed ground pen)
+
+let line ground kind a b = lines ground (stroke ground kind) [ (a, b) ]
+
+let cross ground (x, y) =
+  let width = match ground with Paper -> 2.4 | Picture -> 2. in
+  let arm d = ((x -. 5., y -. d), (x +. 5., y +. d)) in
+  lines ground
+    (Drawing.stroke ~width (ink ground Blocked))
+    [ arm 5.; arm (-5.) ]
