@@ -13,7 +13,7 @@ val make :
   t
 (** [make places words] is the label [words] at the first of [places] where
     there is room, or else at most [reach] pixels, by default 60, from the
-    first. The rest is as in {!Drawing.text}. *)
+    first. The rest is as in {!Drawing.val-text}. *)
 
 val box : t -> Drawing.point -> Rectangle.t
 (** [box label p] is what [label] covers if it stands at [p], whatever the

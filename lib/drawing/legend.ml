@@ -13,3 +13,37 @@ let in_line (x, y) =
       ]
   in
   List.concat (List.mapi entry kinds)
+
+let paper = Drawing.filled (Ink 0x202428)
+let margin = 6.
+let sample = 26.
+
+let in_corner ~text_size { Rectangle.left; top; right; bottom } kinds =
+  let words = Ray_look.words Picture in
+  let widest =
+    List.fold_left
+      (fun widest kind -> Float.max widest (fst (text_size (words kind))))
+      0. kinds
+  and _, line = text_size "X" in
+  let entry_height = line +. 3. in
+  let width = (3. *. margin) +. sample +. widest
+  and height =
+    (2. *. margin) +. (float_of_int (List.length kinds) *. entry_height)
+  in
+  let first = bottom -. height in
+  let entry k kind =
+    let top = first +. margin +. (float_of_int k *. entry_height)
+    and x = left +. margin in
+    let y = top +. Float.floor (line /. 2.) in
+    Ray_look.line Picture kind (x, y) (x +. sample, y)
+    @ [
+        Drawing.text ~level:Top ~ink:0xffffff
+          (x +. sample +. margin, top)
+          (words kind);
+      ]
+  in
+  let is_room = width <= right -. left && 3. *. height <= bottom -. top in
+  if kinds = [] || not is_room then []
+  else
+    let box = { Rectangle.left; top = first; right = left +. width; bottom } in
+    Drawing.Box (paper, box) :: List.concat (List.mapi entry kinds)

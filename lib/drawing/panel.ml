@@ -22,11 +22,10 @@ let point { side; left; top; height; scale; space; _ } p =
   ( left +. (scale *. (across side p -. across side space.low)),
     top +. height -. (scale *. (up side p -. up side space.low)) )
 
-let shows { left; top; width; height; _ } (x, y) =
-  left <= x && x <= left +. width && top <= y && y <= top +. height
-
 let box { left; top; width; height; _ } =
   { Rectangle.left; top; right = left +. width; bottom = top +. height }
+
+let shows panel place = Rectangle.contains (box panel) place
 
 let middle { left; top; width; height; _ } =
   (left +. (width /. 2.), top +. (height /. 2.))

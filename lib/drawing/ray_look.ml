@@ -35,15 +35,15 @@ let stroke ground kind =
 
 let rim = 0x101010
 
-let rimmed ground (pen : Drawing.stroke) =
+(* The pens with which lines are drawn, one after the other. *)
+let pens ground (pen : Drawing.stroke) =
   match ground with
   | Paper -> [ pen ]
   | Picture -> [ { pen with ink = rim; width = pen.width +. 2. }; pen ]
 
 let lines ground pen ends =
-  List.concat_map
-    (fun pen -> List.map (fun (a, b) -> Drawing.Line (pen, a, b)) ends)
-    (rimmed ground pen)
+  let draw pen = List.map (fun (a, b) -> Drawing.Line (pen, a, b)) ends in
+  List.concat_map draw (pens ground pen)
 
 let line ground kind a b = lines ground (stroke ground kind) [ (a, b) ]
 

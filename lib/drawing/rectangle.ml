@@ -3,6 +3,9 @@ type t = { left : float; top : float; right : float; bottom : float }
 let around (x, y) r =
   { left = x -. r; top = y -. r; right = x +. r; bottom = y +. r }
 
+let contains { left; top; right; bottom } (x, y) =
+  left <= x && x <= right && top <= y && y <= bottom
+
 let overlap a b =
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
 

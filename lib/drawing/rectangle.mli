@@ -7,6 +7,9 @@ val around : float * float -> float -> t
 (** [around p r] is the square that holds the circle around [p] of radius [r].
 *)
 
+val contains : t -> float * float -> bool
+(** [contains r p] is whether [p] is in [r] or on its edge. *)
+
 val overlap : t -> t -> bool
 (** [overlap a b] is whether [a] and [b] have more in common than an edge. *)
 

@@ -1,3 +1,5 @@
+open Raylab_drawing
+
 type t = { left : int; top : int; width : int; height : int }
 
 let is_empty { width; height; _ } = width <= 0 || height <= 0
@@ -10,6 +12,14 @@ let of_sides ~left ~top ~right ~bottom =
 
 let right box = box.left + box.width
 let bottom box = box.top + box.height
+
+let rectangle box =
+  {
+    Rectangle.left = float_of_int box.left;
+    top = float_of_int box.top;
+    right = float_of_int (right box);
+    bottom = float_of_int (bottom box);
+  }
 
 let inter a b =
   of_sides ~left:(Int.max a.left b.left) ~top:(Int.max a.top b.top)

@@ -1,5 +1,7 @@
 (** Boxes: rectangles of pixels, of a picture or of a window. *)
 
+open Raylab_drawing
+
 type t = { left : int; top : int; width : int; height : int }
 (** The type for boxes, from the left and from the top. A box may be empty. *)
 
@@ -8,6 +10,9 @@ val is_empty : t -> bool
 
 val contains : t -> int * int -> bool
 (** [contains box (x, y)] is whether pixel [(x, y)] is in [box]. *)
+
+val rectangle : t -> Rectangle.t
+(** [rectangle box] is [box] as a part of a drawing. *)
 
 val inter : t -> t -> t
 (** [inter a b] is what [a] and [b] share. *)

@@ -39,7 +39,7 @@ let reason message =
     | None | Some "" -> "no display was found: DISPLAY is not set"
     | Some display ->
         Printf.sprintf "no display was found: cannot open '%s'"
-          (Text.ascii display)
+          (Ascii.of_utf_8 display)
   else message
 
 let open_ ~on_loss ~title ~width ~height =
@@ -120,6 +120,15 @@ let disc canvas ~color ~radius centre =
       let x, y = nearest centre in
       G.set_color color;
       G.fill_circle x (flip y) radius)
+
+let polygon canvas ~color corners =
+  guard canvas (fun () ->
+      let corner p =
+        let x, y = nearest p in
+        (x, flip y)
+      in
+      G.set_color color;
+      G.fill_poly (Array.of_list (List.map corner corners)))
 
 let fill canvas ~color { Box.left; top; width; height } =
   guard canvas (fun () ->

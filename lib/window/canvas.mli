@@ -4,6 +4,8 @@
     use it. Places are in pixels from the left and from the {e top}; colours
     are [0xRRGGBB]. What is drawn is seen after {!show}. *)
 
+open Raylab_drawing
+
 type t
 (** The type for windows. There is one at a time. *)
 
@@ -41,11 +43,14 @@ val paint : t -> left:int -> top:int -> int array array -> unit
 (** [paint canvas ~left ~top colors] shows [colors], row by row from the top.
     Without any it does nothing. *)
 
-val line : t -> color:int -> width:int -> Segment.t -> unit
-(** [line canvas ~color ~width segment] draws a line [width] pixels thick. *)
+val line : t -> color:int -> width:int -> Drawing.point * Drawing.point -> unit
+(** [line canvas ~color ~width (a, b)] draws a line [width] pixels thick. *)
 
-val disc : t -> color:int -> radius:int -> Segment.point -> unit
+val disc : t -> color:int -> radius:int -> Drawing.point -> unit
 (** [disc canvas ~color ~radius centre] draws a filled circle. *)
+
+val polygon : t -> color:int -> Drawing.point list -> unit
+(** [polygon canvas ~color corners] draws a filled polygon. *)
 
 val fill : t -> color:int -> Box.t -> unit
 (** [fill canvas ~color box] fills [box]. *)

@@ -1,5 +1,6 @@
 open Raylab_scene
 open Raylab_tracer
+open Raylab_drawing
 
 type source = {
   name : string;
@@ -7,7 +8,7 @@ type source = {
   save : Picture.t -> string;
 }
 
-type path = { pixel : int * int; overlay : Path_overlay.t; visible : bool }
+type path = { pixel : int * int; overlay : Overlay.t; visible : bool }
 
 type t = {
   source : source;
@@ -31,7 +32,7 @@ type t = {
 
 let lay_out canvas picture =
   let layout = Layout.make ~window:(Canvas.size canvas) ~picture in
-  (layout, Raster.make layout ~background:Drawing.background)
+  (layout, Raster.make layout ~background:Painter.background)
 
 let make ~domains ?rows ~terminal ~screen ~picture source canvas =
   let layout, raster = lay_out canvas picture in
@@ -91,17 +92,26 @@ let title s =
   in
   Stage.title s.stage ~name:s.source.name ~size:s.picture_size ~part
 
+let path_drawing { canvas; layout; _ } { pixel; overlay; _ } =
+  let window = Box.rectangle (Layout.window layout)
+  and text_size words =
+    let width, height = Canvas.text_size canvas words in
+    (float_of_int width, float_of_int height)
+  in
+  Overlay.draw ~place:(Layout.place layout) window ~pixel overlay
+  @ Legend.in_corner ~text_size window (Overlay.kinds overlay)
+
 let draw s =
   Canvas.set_title s.canvas (title s);
   let damage = Box.inter s.damage (Layout.window s.layout) in
   if not (Box.is_empty damage) then (
     (match look s with
-    | None -> Drawing.nothing s.canvas damage
-    | Some look -> Drawing.picture s.canvas s.raster look damage);
+    | None -> Painter.nothing s.canvas damage
+    | Some look -> Painter.picture s.canvas s.raster look damage);
     (match (s.stage, s.path) with
-    | In_error message, _ -> Drawing.message s.canvas s.layout message
-    | _, Some { pixel; overlay; visible = true } ->
-        Drawing.path s.canvas s.layout ~pixel overlay
+    | In_error message, _ -> Painter.message s.canvas s.layout message
+    | _, Some ({ visible = true; _ } as path) ->
+        Painter.drawing s.canvas (path_drawing s path)
     | _ -> ());
     Canvas.show s.canvas;
     s.damage <- { left = 0; top = 0; width = 0; height = 0 })

@@ -1,5 +1,6 @@
 open Raylab_scene
 open Raylab_tracer
+open Raylab_drawing
 
 type t = { scene : Trace.t; refinement : Refinement.t; first_row : int }
 
@@ -19,7 +20,7 @@ let look some =
     | r :: _ -> Refinement.step r ~x ~y
   and color ~x ~y =
     match from_known some ~x ~y with
-    | [] -> Drawing.background
+    | [] -> Painter.background
     | r :: _ -> Refinement.color r ~x ~y
   in
   { Raster.step; color }
@@ -28,5 +29,5 @@ let explain { scene; first_row; _ } (x, y) =
   Explain.pixel scene ~x ~y:(y + first_row)
 
 let overlay { scene; first_row; _ } explanation =
-  Path_overlay.make (Trace.scene scene).Scene.camera ~first_row
-    (Explain.centre explanation)
+  Overlay.make (Trace.scene scene).Scene.camera ~first_row
+    (Path.of_explanation (Explain.centre explanation))

@@ -1,6 +1,7 @@
 (** A picture in a window, with the scene that it shows. *)
 
 open Raylab_tracer
+open Raylab_drawing
 
 type t = {
   scene : Trace.t;
@@ -21,5 +22,5 @@ val look : t list -> Raster.look
 val explain : t -> int * int -> Explain.pixel
 (** [explain shown (x, y)] explains pixel [(x, y)] of [shown]. *)
 
-val overlay : t -> Explain.pixel -> Path_overlay.t
+val overlay : t -> Explain.pixel -> Overlay.t
 (** [overlay shown explanation] is the path of [explanation] over [shown]. *)

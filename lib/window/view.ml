@@ -80,7 +80,7 @@ let run ?(domains = Parallel.default_domains ()) ?rows ?watch
   let picture = picture_size rows first in
   let width, height = Layout.window_size ~screen picture in
   match
-    Canvas.open_ ~on_loss ~title:(Text.ascii source.name) ~width ~height
+    Canvas.open_ ~on_loss ~title:(Ascii.of_utf_8 source.name) ~width ~height
   with
   | Error _ as error -> error
   | Ok canvas ->

@@ -24,70 +24,10 @@ let count part text =
 let check_count what expected part text =
   Alcotest.(check int) what expected (count part text)
 
-(* {1 Lines} *)
-
-let bulb x y z =
-  Light.spherical ~intensity:9. ~color:Color.white ~position:(v x y z)
-
-let sun x y z =
-  Light.directional ~intensity:1. ~color:Color.white ~direction:(v x y z)
-
 let white = Surface.diffusive Color.white
 
-(* A wall lit by a bulb and not by the sun, which a ball is in the way of, and a
-   mirror before it. *)
-let scene =
-  Scene.make
-    ~lights:[ bulb 0. 2. (-1.); sun 0. (-1.) (-1.) ]
-    ~objects:
-      [
-        plane (v 0. 0. 4.) (v 0. 0. 1.) Surface.reflective;
-        plane (v 0. 0. (-9.)) (v 0. 0. 1.) white;
-        sphere (v 0. 3. (-6.)) 1. white;
-      ]
-    (camera ())
-
-let kind : Path.kind -> string = function
-  | Primary -> "primary"
-  | Mirrored -> "mirrored"
-  | Unfollowed -> "unfollowed"
-  | Lit -> "lit"
-  | Blocked -> "blocked"
-
-let test_lines () =
-  let e, _ = draw scene in
-  let path = Path.of_explanation e in
-  let show (ray : Path.ray) =
-    let at = Option.get (Path.end_of ray) in
-    let met = Option.value ray.meets ~default:0 in
-    Format.asprintf "%d, %s to %d at (%.3f, %.3f, %.3f)" ray.number
-      (kind ray.kind) met (at.x +. 0.) (at.y +. 0.) (at.z +. 0.)
-  in
-  Alcotest.(check (list string))
-    "rays"
-    [
-      "1, primary to 1 at (0.000, 0.000, 4.000)";
-      "2, mirrored to 2 at (0.000, 0.000, -9.000)";
-      "2, lit to 0 at (0.000, 2.000, -1.000)";
-      "2, blocked to 3 at (0.000, 2.293, -6.707)";
-    ]
-    (List.map show path.rays);
-  Alcotest.(check (list (pair (option int) string)))
-    "lights, and words"
-    [
-      (None, "to plane 1, t = 5");
-      (None, "to plane 2, t = 13");
-      (Some 1, "to light 1");
-      (Some 2, "blocked by sphere 3");
-    ]
-    (List.map (fun (ray : Path.ray) -> (ray.light, ray.words)) path.rays);
-  Alcotest.(check (list int)) "objects" [ 1; 2; 3 ] (Path.objects path);
-  Alcotest.(check (list int))
-    "hits" [ 1; 2 ]
-    (List.map (fun (hit : Path.hit) -> hit.number) path.hits)
-
 let test_elements () =
-  let _, svg = draw scene in
+  let _, svg = draw Test_path.scene in
   (* in two views; dashed lines and crosses are in the legend once more *)
   check_count "dashed rays" ((2 * 2) + 2) {|stroke-dasharray="6 4"|} svg;
   check_count "crosses"
@@ -176,7 +116,6 @@ let test_extent () =
 let suite =
   ( "Path_picture",
     [
-      Alcotest.test_case "lines" `Quick test_lines;
       Alcotest.test_case "elements" `Quick test_elements;
       Alcotest.test_case "a chain that ends" `Quick test_unfollowed;
       Alcotest.test_case "thousands of spheres" `Quick test_many;

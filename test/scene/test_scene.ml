@@ -11,6 +11,7 @@ let () =
       Test_light.suite;
       Test_shadow_ray.suite;
       Test_camera.suite;
+      Test_projection.suite;
       Test_scenes.suite;
       Test_warnings.suite;
       Test_proportions.suite;

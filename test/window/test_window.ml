@@ -4,9 +4,8 @@ let () =
       Test_layout.suite;
       Test_refinement.suite;
       Test_raster.suite;
-      Test_segment.suite;
-      Test_path.suite;
-      Test_text.suite;
+      Test_dashes.suite;
+      Test_ascii.suite;
       Test_watch.suite;
       Test_screen.suite;
       Test_key.suite;

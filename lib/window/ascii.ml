@@ -1,4 +1,4 @@
-let ascii text =
+let of_utf_8 text =
   let buffer = Buffer.create (String.length text) in
   let rec add at =
     if at < String.length text then (
@@ -29,7 +29,8 @@ let wrap ~columns ~rows text =
   if columns < 1 || rows < 1 then []
   else
     let lines =
-      List.concat_map (break columns) (String.split_on_char '\n' (ascii text))
+      List.concat_map (break columns)
+        (String.split_on_char '\n' (of_utf_8 text))
     in
     if List.compare_length_with lines rows <= 0 then lines
     else List.filteri (fun k _ -> k < rows - 1) lines @ [ "..." ]

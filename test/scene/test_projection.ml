@@ -1,7 +1,6 @@
 open Raylab_geometry
 open Raylab_scene
-open Raylab_tracer
-open Raylab_window
+open Test_support
 
 let camera =
   Camera.make ~width:100 ~height:80 ~canvas_width:10. ~canvas_height:8.
@@ -10,9 +9,11 @@ let camera =
 let vec = Vec3.make
 let point = Alcotest.(pair (float 1e-6) (float 1e-6))
 
-let prop_inverse =
-  QCheck.Test.make ~name:"a point on a primary ray is seen in its pixel"
-    QCheck.(triple (int_range 0 99) (int_range 0 79) (float_range 0.1 1e4))
+let inverse =
+  Property.holds "a point on a primary ray is seen in its pixel"
+    ~print:QCheck2.Print.(triple int int float)
+    QCheck2.Gen.(
+      triple (int_range 0 99) (int_range 0 79) (float_range 0.1 1e4))
     (fun (x, y, t) ->
       match
         Camera.project camera (Ray.at (Camera.primary_ray camera ~x ~y) t)
@@ -62,57 +63,10 @@ let test_rays () =
       Alcotest.(check bool) "far to the right, before the eye" true (x > 1e4)
   | None -> Alcotest.fail "passing the eye: not seen"
 
-(* A mirror before the eye, a wall behind it, two lights. *)
-let overlay ~first_row =
-  let scene =
-    Scene.make camera ~ray_depth:2
-      ~lights:
-        [
-          Light.spherical ~intensity:1. ~color:Color.white
-            ~position:(vec 0. 3. 5.);
-          Light.spherical ~intensity:1. ~color:Color.white
-            ~position:(vec 0. 0. 30.);
-        ]
-      ~objects:
-        [
-          Object.make
-            (Shape.plane ~point:(vec 0. 0. 10.) ~normal:(vec 0. 0. (-1.)))
-            (Surface.mixed
-               [
-                 (1., Surface.diffusive Color.white); (1., Surface.reflective);
-               ]);
-          Object.make
-            (Shape.sphere ~centre:(vec 0. 1.5 7.5) ~radius:0.2)
-            (Surface.luminous Color.red);
-        ]
-  in
-  let e = Explain.centre (Explain.pixel (Trace.prepare scene) ~x:50 ~y:40) in
-  Path_overlay.make camera ~first_row e
-
-let test_overlay () =
-  let { Path_overlay.lines; hits; blocks } = overlay ~first_row:0 in
-  Alcotest.(check int) "hits" 1 (List.length hits);
-  Alcotest.(check (list string))
-    "rays"
-    [ "to a light, blocked"; "mirrored ray" ]
-    (List.map (fun (role, _) -> Path_overlay.name role) lines);
-  Alcotest.(check int) "blocks" 1 (List.length blocks);
-  let x, y = List.hd hits in
-  Alcotest.check point "the hit is the pixel" (50.5, 40.5) (x, y)
-
-let test_rows () =
-  let y overlay = snd (List.hd overlay.Path_overlay.hits) in
-  Alcotest.(check (float 1e-9))
-    "rows count from the first that is shown"
-    (y (overlay ~first_row:0) -. 30.)
-    (y (overlay ~first_row:30))
-
 let suite =
-  ( "Path",
+  ( "Projection",
     [
-      QCheck_alcotest.to_alcotest prop_inverse;
+      inverse;
       Alcotest.test_case "behind the eye" `Quick test_behind;
       Alcotest.test_case "rays" `Quick test_rays;
-      Alcotest.test_case "overlay" `Quick test_overlay;
-      Alcotest.test_case "a band of rows" `Quick test_rows;
     ] )
