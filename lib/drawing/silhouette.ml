@@ -6,6 +6,7 @@ let outline { is_met; _ } =
   if is_met then Drawing.stroke ~width:1.6 0x222222
   else Drawing.stroke ~width:0.8 0x999999
 
+let opacity { is_met; _ } = if is_met then 0.55 else 0.3
 let area s opacity = Drawing.filled ~opacity ~outline:(outline s) s.fill
 
 (* Renderers do not like circles of a million pixels: near the panel such a one
@@ -13,8 +14,6 @@ let area s opacity = Drawing.filled ~opacity ~outline:(outline s) s.fill
 let straight = 2e4
 
 (* A sphere that is all around the rest must not hide it. *)
-let opacity { is_met; _ } = if is_met then 0.55 else 0.3
-
 let ball_opacity (panel : Panel.t) s radius =
   if radius > 0.4 *. Float.min panel.width panel.height then 0.08
   else opacity s

@@ -62,6 +62,9 @@ A project of somebody else's renders with the libraries. The core needs little.
   raylab.parallel
   raylab.scene
   raylab.tracer
+  $ ocamlfind query -recursive -format %p raylab.language raylab.drawing |
+  >   grep -E 'unix|thread|graphics|zip|utop'
+  [1]
   $ mkdir other
   $ cat > other/dune-project <<EOF
   > (lang dune 3.17)
