@@ -53,7 +53,7 @@ let judge ~domains ~first_pixel (trials : Trial.t list) =
       (At_least (0.9 *. float_of_int domains))
       ratio
       (of_trials Ratios.speed_up trials);
-    goal "words allocated per ray" (Under 8.) (Printf.sprintf "%.1f")
+    goal "words allocated per ray" (Under 2.) (Printf.sprintf "%.1f")
       (of_trials Ratios.words_per_ray trials);
     goal "start to first pixel" (Under 0.05)
       (fun s -> Printf.sprintf "%.0f ms" (1000. *. s))
