@@ -11,7 +11,7 @@ let[@inline] within x =
   if x > farthest then farthest else if x < -.farthest then -.farthest else x
 
 let[@inline] lift ~usual (spot : Spot.t) (ray : Raw_ray.t) =
-  let { Spot.x; y; z; size; _ } = spot in
+  let { Spot.x; y; z; own_x; own_y; own_z; size; _ } = spot in
   let least =
     rounding
     *. (size +. abs_float x +. abs_float y +. abs_float z +. abs_float ray.ox
@@ -21,4 +21,5 @@ let[@inline] lift ~usual (spot : Spot.t) (ray : Raw_ray.t) =
   else (
     spot.offset <-
       (if least <= farthest_offset then least else farthest_offset);
-    Spot.set_point spot (within x) (within y) (within z))
+    Spot.set_point spot (within x) (within y) (within z);
+    Spot.set_own spot (within own_x) (within own_y) (within own_z))

@@ -17,8 +17,8 @@ val lift : usual:float -> Spot.t -> Raw_ray.t -> unit
 (** {1 Where doubles end} *)
 
 val farthest : float
-(** [farthest] is 2^1022: no spot lies farther out, so that what is computed
-    from it is finite. *)
+(** [farthest] is 2^1022: no spot lies farther out, nor its own point, so that
+    what is computed from it is finite. *)
 
 val within : float -> float
 (** [within x] is the coordinate [x], not beyond {!farthest}. *)

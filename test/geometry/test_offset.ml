@@ -37,13 +37,16 @@ let test_large () =
 
 (* 2^1022 is as far out as a point may lie. *)
 let test_farthest () =
-  let { Spot.x; y; z; offset; _ } =
+  let ({ Spot.x; y; z; offset; _ } as spot) =
     lifted ~size:max_float
       (v max_float (-.max_float) 7.)
       ~origin:(v max_float max_float max_float)
   in
   check_number "farthest" (ldexp 1. 1022) Offset.farthest;
   Alcotest.check Same.vec3 "brought in" (v 0x1p1022 (-0x1p1022) 7.) (v x y z);
+  Alcotest.check Same.vec3 "its own point, too"
+    (v 0x1p1022 (-0x1p1022) 7.)
+    (Spot.own spot);
   check_number "the largest offset" (ldexp 1. (1022 - 44)) offset;
   List.iter
     (fun (what, expected, x) -> check_number what expected (Offset.within x))
@@ -71,6 +74,7 @@ let off_the_surface =
       let start = v raw.ox raw.oy raw.oz in
       Float.is_finite spot.offset
       && Vec3.is_finite (Spot.point spot)
+      && Vec3.is_finite (Spot.own spot)
       && Vec3.is_finite start && start.y > spot.y)
 
 let suite =

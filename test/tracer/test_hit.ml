@@ -52,6 +52,17 @@ let own_point =
       | Some { t; point; own_point; _ } ->
           Vec3.length (Vec3.sub point own_point) <= 1e-13 *. (30. +. t))
 
+let finite =
+  Property.holds "finite, whatever the numbers" ~count:5000
+    QCheck2.Gen.(
+      pair (Generate.shape Generate.extreme) (Generate.ray Generate.extreme))
+    (fun (shape, ray) ->
+      match hit [ Object.make shape Surface.reflective ] ray with
+      | None -> true
+      | Some ({ t; point; own_point; _ } as found) ->
+          Float.is_finite t
+          && List.for_all Vec3.is_finite [ point; own_point; Hit.start found ])
+
 let test_own_point () =
   let slab = plane (v 7. 0.1 3.) (v 0. 49. 0.) Surface.reflective in
   List.iter
@@ -129,6 +140,7 @@ let suite =
       Alcotest.test_case "sides" `Quick test_sides;
       Alcotest.test_case "own point" `Quick test_own_point;
       own_point;
+      finite;
       Alcotest.test_case "which object" `Quick test_which;
       Alcotest.test_case "start" `Quick test_start;
       Alcotest.test_case "large numbers" `Quick test_large_numbers;
