@@ -81,7 +81,7 @@ let test_ends () =
 
 (* {1 What blocks} *)
 
-(* The query that finds that something blocks must leave the shadow ray fit for
+(* The question whether something blocks must leave the shadow ray fit for
    the question what. *)
 let test_blocker () =
   let wall = plane (v 0. 0. 4.) (v 0. 0. 1.) (Surface.diffusive Color.white) in
