@@ -18,7 +18,8 @@ type t = {
   meeting : Meeting.t;  (** what one of the two meets *)
   spot : Spot.t;  (** where the ray of the chain does *)
   lobes : float array;
-      (** what a surface that varies denotes there; see {!Raw_lobes} *)
+      (** what a surface that varies denotes there; see
+          {!Raylab_scene.Raw_lobes} *)
   incidence : Light.incidence;  (** how one light meets it *)
   gives : Raw_color.t;  (** what that light gives *)
   light : Raw_color.t;  (** what all lights give *)
