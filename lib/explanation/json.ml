@@ -19,27 +19,24 @@ let text s : Yojson.Safe.t = `String s
 
 (* {1 Scenes} *)
 
+let parameter (name, parameter) =
+  match (parameter : Parameter.t) with
+  | Number x -> (name, number x)
+  | Triple (x, y, z) -> (name, numbers [ x; y; z ])
+
 let shape shape : Yojson.Safe.t =
-  let part (name, part) =
-    match (part : Part.t) with
-    | Number x -> (name, number x)
-    | Vector v -> (name, vector v)
-  in
   `Assoc
-    (("kind", text (Shape.name shape)) :: List.map part (Shape.parts shape))
+    (("kind", text (Shape.name shape))
+    :: List.map parameter (Shape.parameters shape))
 
 let rec surface s : Yojson.Safe.t =
   let weighted (weight, s) =
     `Assoc [ ("weight", number weight); ("surface", surface s) ]
-  and part (name, part) =
-    match (part : Surface.part) with
-    | Number x -> (name, number x)
-    | Color c -> (name, color c)
   in
   let parts =
     match (s : Surface.t) with
     | Mixed { parts; _ } -> [ ("parts", `List (List.map weighted parts)) ]
-    | simple -> List.map part (Surface.parts simple)
+    | simple -> List.map parameter (Surface.parameters simple)
   in
   `Assoc (("kind", text (Surface.name s)) :: parts)
 

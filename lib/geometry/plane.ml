@@ -8,8 +8,11 @@ let make ~(point : Vec3.t) ~normal =
 
 let name = "plane"
 
-let parts { point; normal } =
-  [ ("point", Part.Vector point); ("normal", Part.Vector (normal :> Vec3.t)) ]
+let parameters { point; normal } =
+  [
+    ("point", Parameter.of_vec3 point);
+    ("normal", Parameter.of_vec3 (normal :> Vec3.t));
+  ]
 
 let[@inline] approach (n : Vec3.t) (ray : Raw_ray.t) =
   (ray.dx *. n.x) +. (ray.dy *. n.y) +. (ray.dz *. n.z)

@@ -13,8 +13,8 @@ val make : point:Vec3.t -> normal:Direction.t -> t
 val name : string
 (** [name] is the scene language's word, ["plane"]. *)
 
-val parts : t -> (string * Part.t) list
-(** [parts plane] is what is written after its word, in that order, each part
+val parameters : t -> (string * Parameter.t) list
+(** [parameters plane] is what is written after its word, in that order, each
     with its name: ["point"] and ["normal"]. *)
 
 (** {1 What is hit}

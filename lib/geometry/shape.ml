@@ -54,15 +54,18 @@ let depth shape point =
 (* {1 What is told} *)
 
 let name = function Sphere _ -> Sphere.name | Plane _ -> Plane.name
-let parts = function Sphere s -> Sphere.parts s | Plane p -> Plane.parts p
+
+let parameters = function
+  | Sphere s -> Sphere.parameters s
+  | Plane p -> Plane.parameters p
 
 let outline : t -> Outline.t = function
   | Sphere s -> Ball s
   | Plane p -> Endless p
 
 let equal a b =
-  let equal_part (_, a) (_, b) = Part.equal a b in
-  name a = name b && List.equal equal_part (parts a) (parts b)
+  let equal_parameter (_, a) (_, b) = Parameter.equal a b in
+  name a = name b && List.equal equal_parameter (parameters a) (parameters b)
 
 (* The first number is the kind. *)
 let place = function

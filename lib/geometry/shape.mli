@@ -70,9 +70,9 @@ val depth : t -> Vec3.t -> float
 val name : t -> string
 (** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. *)
 
-val parts : t -> (string * Part.t) list
-(** [parts shape] is what the scene language writes after {!name}, in that
-    order, each part with its name. *)
+val parameters : t -> (string * Parameter.t) list
+(** [parameters shape] is what the scene language writes after {!name}, in that
+    order, each with its name. *)
 
 val outline : t -> Outline.t
 (** [outline shape] is how [shape] is drawn and spoken of. *)

@@ -83,8 +83,11 @@ let settle { cx; cy; cz; radius } ray (spot : Spot.t) =
     Spot.set_own spot x y z);
   spot.size <- radius
 
-let parts s =
-  [ ("centre", Part.Vector (centre s)); ("radius", Part.Number s.radius) ]
+let parameters s =
+  [
+    ("centre", Parameter.of_vec3 (centre s));
+    ("radius", Parameter.Number s.radius);
+  ]
 
 let pp ppf s =
   Format.fprintf ppf "sphere centre %a radius %a" Vec3.pp (centre s) Number.pp

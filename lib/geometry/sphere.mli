@@ -12,8 +12,8 @@ val make : centre:Vec3.t -> radius:float -> t
 val name : string
 (** [name] is the scene language's word, ["sphere"]. *)
 
-val parts : t -> (string * Part.t) list
-(** [parts sphere] is what is written after its word, in that order, each part
+val parameters : t -> (string * Parameter.t) list
+(** [parameters sphere] is what is written after its word, in that order, each
     with its name: ["centre"] and ["radius"]. *)
 
 val centre : t -> Vec3.t

@@ -95,16 +95,15 @@ let print_light ppf (light : Light.t) =
     | Directional direction -> vector (direction :> Vec3.t)
     | Spherical position -> vector position)
 
-let print_part ppf (_, part) =
-  match (part : Part.t) with
-  | Number x -> Format.fprintf ppf " %s" (number x)
-  | Vector v -> Format.fprintf ppf " %s" (vector v)
+let print_number ppf x = Format.pp_print_string ppf (number x)
+
+let print_parameter ppf (_, parameter) =
+  Format.fprintf ppf " %a" (Parameter.pp_with print_number) parameter
 
 let print_shape ppf shape =
   Format.pp_print_string ppf (Shape.name shape);
-  List.iter (print_part ppf) (Shape.parts shape)
+  List.iter (print_parameter ppf) (Shape.parameters shape)
 
-let print_number ppf x = Format.pp_print_string ppf (number x)
 let print_surface = Surface.pp_with print_number
 
 let print ppf (scene : Scene.t) =

@@ -116,36 +116,33 @@ let name = function
   | Luminous _ -> "luminous"
   | Mixed _ -> "mixed"
 
-type part = Number of float | Color of Color.t
+let of_color { Color.r; g; b } = Parameter.Triple (r, g, b)
 
-let parts = function
-  | Diffusive c | Luminous c -> [ ("color", Color c) ]
+let parameters = function
+  | Diffusive c | Luminous c -> [ ("color", of_color c) ]
   | Reflective | Mixed _ -> []
 
 let rec add_colors found = function
   | Mixed { parts; _ } ->
       List.fold_left (fun found (_, part) -> add_colors found part) found parts
   | simple ->
-      let add found = function
-        | _, Color c -> c :: found
+      let add found : _ * Parameter.t -> _ = function
+        | _, Triple (r, g, b) -> Color.make r g b :: found
         | _, Number _ -> found
       in
-      List.fold_left add found (parts simple)
+      List.fold_left add found (parameters simple)
 
 let colors surface = List.rev (add_colors [] surface)
-
-let pp_part pp_number ppf = function
-  | _, Number x -> Format.fprintf ppf " %a" pp_number x
-  | _, Color { Color.r; g; b } ->
-      Format.fprintf ppf " %a %a %a" pp_number r pp_number g pp_number b
 
 let rec pp_with pp_number ppf surface =
   let pp_weighted (weight, surface) =
     Format.fprintf ppf " %a %a" pp_number weight (pp_with pp_number) surface
+  and pp_parameter (_, parameter) =
+    Format.fprintf ppf " %a" (Parameter.pp_with pp_number) parameter
   in
   Format.pp_print_string ppf (name surface);
   match surface with
   | Mixed { parts; _ } -> List.iter pp_weighted parts
-  | simple -> List.iter (pp_part pp_number ppf) (parts simple)
+  | simple -> List.iter pp_parameter (parameters simple)
 
 let pp = pp_with Number.pp

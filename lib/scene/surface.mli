@@ -80,12 +80,10 @@ val name : t -> string
 (** [name surface] is the scene language's word for it, such as ["diffusive"].
 *)
 
-type part = Number of float | Color of Color.t  (** The type for parts. *)
-
-val parts : t -> (string * part) list
-(** [parts surface] is what the scene language writes after {!name}, in that
-    order, each part with its name; nothing for a mix, whose parts are
-    surfaces. *)
+val parameters : t -> (string * Raylab_geometry.Parameter.t) list
+(** [parameters surface] is what the scene language writes after {!name}, in
+    that order, each with its name, all triples colours; nothing for a mix,
+    which is made of surfaces. *)
 
 val colors : t -> Color.t list
 (** [colors surface] is all colours that are written in [surface], in their

@@ -72,15 +72,15 @@ let test_equal () =
   differs "kind" floor
 
 (* What is written after the word is what the shape is made of. *)
-let test_parts () =
+let test_parameters () =
   let check what expected shape =
-    Alcotest.(check bool) what true (Shape.parts shape = expected)
+    Alcotest.(check bool) what true (Shape.parameters shape = expected)
   in
   check "sphere"
-    [ ("centre", Vector (v 0. 0. 6.)); ("radius", Number 1.) ]
+    [ ("centre", Triple (0., 0., 6.)); ("radius", Number 1.) ]
     ball;
   check "plane"
-    [ ("point", Vector (v 0. (-1.) 0.)); ("normal", Vector (v 0. 1. 0.)) ]
+    [ ("point", Triple (0., -1., 0.)); ("normal", Triple (0., 1., 0.)) ]
     floor
 
 let shapes_and_rays number =
@@ -190,7 +190,7 @@ let suite =
       Alcotest.test_case "depth" `Quick test_depth;
       Alcotest.test_case "place" `Quick test_place;
       Alcotest.test_case "equal" `Quick test_equal;
-      Alcotest.test_case "parts" `Quick test_parts;
+      Alcotest.test_case "parameters" `Quick test_parameters;
       Alcotest.test_case "box" `Quick test_box;
       box_holds;
       box_of_sphere;
