@@ -6,13 +6,15 @@ type t = {
   source : source;
   intensity : float;
   color : Color.t;
+  power : Color.t; (* intensity * color *)
   line : int option;
 }
 
 let make ~intensity ~color source =
   Number.require Non_negative "an intensity" intensity;
   Color.require "a light's colour" color;
-  { source; intensity; color; line = None }
+  let power = Saturate.color (Color.scale intensity color) in
+  { source; intensity; color; power; line = None }
 
 let directional ~intensity ~color ~direction =
   make ~intensity ~color (Directional (Direction.of_vec3_exn direction))
@@ -50,21 +52,20 @@ let[@inline] meet light (spot : Spot.t) incidence =
       else incidence.cosine <- 0.
 
 (* cosine * falloff * intensity * colour *)
-let[@inline] give { intensity; color = c; _ } { cosine; falloff }
-    (sum : Raw_color.t) =
+let[@inline] add light { cosine; falloff } (sum : Raw_color.t) =
   if cosine > 0. then
-    let k = Saturate.limit (cosine *. falloff) in
+    let k = Saturate.limit (cosine *. falloff)
+    and { Color.r; g; b } = light.power in
     Raw_color.set sum
-      (k *. Saturate.limit (intensity *. c.r))
-      (k *. Saturate.limit (intensity *. c.g))
-      (k *. Saturate.limit (intensity *. c.b))
-  else Raw_color.set sum 0. 0. 0.
+      (sum.r +. Saturate.limit (k *. r))
+      (sum.g +. Saturate.limit (k *. g))
+      (sum.b +. Saturate.limit (k *. b))
 
 let received light ~point ~normal =
-  let incidence = create_incidence () and color = Raw_color.create () in
+  let incidence = create_incidence () and sum = Raw_color.create () in
   meet light (Spot.of_point ~point ~normal ~offset:0.) incidence;
-  give light incidence color;
-  Raw_color.to_color color
+  add light incidence sum;
+  Raw_color.to_color sum
 
 (* {1 Shadows} *)
 
@@ -98,7 +99,7 @@ let name light =
 
 let with_line line light = { light with line }
 
-let map_color f { source; intensity; color; line } =
+let map_color f { source; intensity; color; line; _ } =
   with_line line (make ~intensity ~color:(f color) source)
 
 let equal_source a b =

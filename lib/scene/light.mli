@@ -10,6 +10,7 @@ type t = private {
   source : source;
   intensity : float;
   color : Color.t;
+  power : Color.t;  (** [intensity * color], at most [max_float] *)
   line : int option;  (** where a scene file has it, lines counted from 1 *)
 }
 (** The type for lights. *)
@@ -60,8 +61,8 @@ val meet : t -> Spot.t -> incidence -> unit
     surface at [spot]. The cosine is 0 where the square of the distance to the
     light is no double. If it is not positive, the fall-off means nothing. *)
 
-val give : t -> incidence -> Raw_color.t -> unit
-(** [give light incidence color] puts into [color] what [light] gives there. *)
+val add : t -> incidence -> Raw_color.t -> unit
+(** [add light incidence sum] adds what [light] gives there to [sum]. *)
 
 (** {1 Shadows} *)
 

@@ -43,7 +43,9 @@ let tell_lit t light =
   | None -> ()
   | Some observe ->
       let { Light.cosine; falloff } = t.incidence
-      and contribution = Raw_color.to_color t.gives in
+      and gives = Raw_color.create () in
+      Light.add t.prepared.lights.(light - 1) t.incidence gives;
+      let contribution = Raw_color.to_color gives in
       observe (Event.Lit { light; cosine; falloff; contribution })
 
 (* Adds what the light of this number, from 1, gives. *)
@@ -53,9 +55,7 @@ let add t number light =
     (* there is no way to a light where the shadow ray would start *)
     let has_way = Light.aim light t.spot t.shadow_ray in
     if not (has_way && is_blocked t number) then (
-      let { gives; light = sum; _ } = t in
-      Light.give light t.incidence gives;
-      Raw_color.set sum (sum.r +. gives.r) (sum.g +. gives.g) (sum.b +. gives.b);
+      Light.add light t.incidence t.light;
       tell_lit t number))
   else tell_facing_away t number
 

@@ -12,7 +12,6 @@ type t = {
   spot : Spot.t;
   lobes : float array;
   incidence : Light.incidence;
-  gives : Raw_color.t;
   light : Raw_color.t;
   color : Raw_color.t;
 }
@@ -29,7 +28,6 @@ let create ?observe (prepared : Prepared.t) =
     spot = Spot.create ();
     lobes = Raw_lobes.create ~rows:prepared.levels;
     incidence = Light.create_incidence ();
-    gives = Raw_color.create ();
     light = Raw_color.create ();
     color = Raw_color.create ();
   }

@@ -21,7 +21,6 @@ type t = {
       (** what a surface that varies denotes there; see
           {!Raylab_scene.Raw_lobes} *)
   incidence : Light.incidence;  (** how one light meets it *)
-  gives : Raw_color.t;  (** what that light gives *)
   light : Raw_color.t;  (** what all lights give *)
   color : Raw_color.t;  (** what the ray brings *)
 }

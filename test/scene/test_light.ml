@@ -25,7 +25,7 @@ let meet ?(offset = 0.) light ~point ~normal =
 let give light ~cosine ~falloff =
   let color = Raw_color.create () in
   Raw_color.set color 7. 7. 7.;
-  Light.give light { cosine; falloff } color;
+  Light.add light { cosine; falloff } color;
   Raw_color.to_color color
 
 let test_directional () =
