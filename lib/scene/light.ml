@@ -39,32 +39,37 @@ let[@inline] meet light (spot : Spot.t) incidence =
   match light.source with
   | Directional along ->
       let { Vec3.x; y; z } = (along :> Vec3.t) in
-      incidence.cosine <-
-        (spot.nx *. -.x) +. (spot.ny *. -.y) +. (spot.nz *. -.z);
-      incidence.falloff <- 1.
+      let cosine = (spot.nx *. -.x) +. (spot.ny *. -.y) +. (spot.nz *. -.z) in
+      incidence.cosine <- cosine;
+      incidence.falloff <- 1.;
+      cosine > 0.
   | Spherical { x; y; z } ->
       let wx = x -. spot.x and wy = y -. spot.y and wz = z -. spot.z in
       let facing = (spot.nx *. wx) +. (spot.ny *. wy) +. (spot.nz *. wz)
       and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
       if is_within_squares squared spot then (
-        incidence.cosine <- facing /. sqrt squared;
-        if facing > 0. then incidence.falloff <- Saturate.limit (1. /. squared))
-      else incidence.cosine <- 0.
+        let cosine = facing /. sqrt squared in
+        incidence.cosine <- cosine;
+        incidence.falloff <- Saturate.limit (1. /. squared);
+        cosine > 0.)
+      else (
+        incidence.cosine <- 0.;
+        incidence.falloff <- 0.;
+        false)
 
 (* cosine * falloff * intensity * colour *)
 let[@inline] add light { cosine; falloff } (sum : Raw_color.t) =
-  if cosine > 0. then
-    let k = Saturate.limit (cosine *. falloff)
-    and { Color.r; g; b } = light.power in
-    Raw_color.set sum
-      (sum.r +. Saturate.limit (k *. r))
-      (sum.g +. Saturate.limit (k *. g))
-      (sum.b +. Saturate.limit (k *. b))
+  let k = Saturate.limit (cosine *. falloff)
+  and { Color.r; g; b } = light.power in
+  Raw_color.set sum
+    (sum.r +. Saturate.limit (k *. r))
+    (sum.g +. Saturate.limit (k *. g))
+    (sum.b +. Saturate.limit (k *. b))
 
 let received light ~point ~normal =
   let incidence = create_incidence () and sum = Raw_color.create () in
-  meet light (Spot.of_point ~point ~normal ~offset:0.) incidence;
-  add light incidence sum;
+  if meet light (Spot.of_point ~point ~normal ~offset:0.) incidence then
+    add light incidence sum;
   Raw_color.to_color sum
 
 (* {1 Shadows} *)

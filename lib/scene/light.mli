@@ -56,13 +56,15 @@ type incidence = {
 val create_incidence : unit -> incidence
 (** [create_incidence ()] is a new register. *)
 
-val meet : t -> Spot.t -> incidence -> unit
+val meet : t -> Spot.t -> incidence -> bool
 (** [meet light spot incidence] puts into [incidence] how [light] meets the
-    surface at [spot]. The cosine is 0 where the square of the distance to the
-    light is no double. If it is not positive, the fall-off means nothing. *)
+    surface at [spot], and is whether the surface faces it: whether the cosine
+    is positive. Both numbers are 0 where the square of the distance to the
+    light is no double. *)
 
 val add : t -> incidence -> Raw_color.t -> unit
-(** [add light incidence sum] adds what [light] gives there to [sum]. *)
+(** [add light incidence sum] adds what [light] gives there to [sum], of a
+    surface that faces it. *)
 
 (** {1 Shadows} *)
 

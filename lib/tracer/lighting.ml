@@ -50,8 +50,7 @@ let tell_lit t light =
 
 (* Adds what the light of this number, from 1, gives. *)
 let add t number light =
-  Light.meet light t.spot t.incidence;
-  if t.incidence.cosine > 0. then (
+  if Light.meet light t.spot t.incidence then (
     (* there is no way to a light where the shadow ray would start *)
     let has_way = Light.aim light t.spot t.shadow_ray in
     if not (has_way && is_blocked t number) then (

@@ -18,13 +18,15 @@ let bulb =
 (* How a light meets a surface. *)
 let meet ?(offset = 0.) light ~point ~normal =
   let incidence = Light.create_incidence () in
-  Light.meet light (Spot.of_point ~point ~normal ~offset) incidence;
+  let faces =
+    Light.meet light (Spot.of_point ~point ~normal ~offset) incidence
+  in
+  Alcotest.(check bool) "faces" (incidence.cosine > 0.) faces;
   incidence
 
 (* What a light gives to what it meets so. *)
 let give light ~cosine ~falloff =
   let color = Raw_color.create () in
-  Raw_color.set color 7. 7. 7.;
   Light.add light { cosine; falloff } color;
   Raw_color.to_color color
 
@@ -82,10 +84,6 @@ let test_give () =
   check_color "intensity * colour" (rgb 50. 25. 0.)
     (give bulb ~cosine:1. ~falloff:1.);
   check_color "all four" (rgb 1.6 0.8 0.) (give bulb ~cosine:0.8 ~falloff:0.04);
-  check_color "along the surface" Color.black
-    (give bulb ~cosine:0. ~falloff:1.);
-  check_color "behind it" Color.black (give bulb ~cosine:(-1.) ~falloff:1.);
-  check_color "no cosine" Color.black (give bulb ~cosine:nan ~falloff:1.);
   let blinding =
     Light.directional ~intensity:1e200 ~color:(rgb 1e200 1. 0.)
       ~direction:(v 0. (-1.) 0.)
