@@ -16,11 +16,10 @@ let middle = function
 
 (* How far from the eye something may be. *)
 let range (scene : Scene.t) boxes hits =
-  let { Camera.canvas_width = w; canvas_height = h; depth; _ } =
-    scene.camera
-  in
   let eye = Camera.eye scene.camera in
-  let usual = 2. *. Float.max depth (Float.max w h) in
+  let low, high = Camera.canvas scene.camera in
+  let { Vec3.x; y; _ } = Vec3.sub high low in
+  let usual = 2. *. Float.max scene.camera.depth (Float.max x y) in
   let distances =
     List.filter Float.is_finite
       (List.map (distance eye) (hits @ List.map Box3.centre boxes))
@@ -62,15 +61,13 @@ let widen { Box3.low; high } =
   Box3.make ~low:(Vec3.sub low more) ~high:(Vec3.add high more)
 
 let of_path (scene : Scene.t) { Path.hits; _ } =
-  let { Camera.canvas_width = w; canvas_height = h; _ } = scene.camera in
+  let low, high = Camera.canvas scene.camera in
   let eye = Camera.eye scene.camera in
   let boxes = boxes scene
   and hits = List.map (fun (hit : Path.hit) -> hit.point) hits in
   let range = range scene boxes hits in
   let is_near point = distance eye point <= range in
-  let canvas =
-    [ Vec3.make (w /. -2.) (h /. -2.) 0.; Vec3.make (w /. 2.) (h /. 2.) 0. ]
-  and lights =
+  let lights =
     List.filter_map
       (fun (light : Light.t) ->
         match light.source with
@@ -84,6 +81,6 @@ let of_path (scene : Scene.t) { Path.hits; _ } =
   in
   widen
     (around
-       ((eye :: canvas)
+       ([ eye; low; high ]
        @ List.filter is_near (hits @ lights)
        @ List.concat_map extents boxes))

@@ -107,12 +107,7 @@ let objects (panel : Panel.t) scene path =
 (* {1 Eye and canvas} *)
 
 let eye_and_canvas panel (camera : Camera.t) =
-  let { Camera.canvas_width = w; canvas_height = h; _ } = camera in
-  let low, high =
-    match panel.Panel.side with
-    | Above -> (Vec3.make (w /. -2.) 0. 0., Vec3.make (w /. 2.) 0. 0.)
-    | Beside -> (Vec3.make 0. (h /. -2.) 0., Vec3.make 0. (h /. 2.) 0.)
-  in
+  let low, high = Camera.canvas camera in
   let rim = Drawing.stroke ~width:1.5 0x222222 in
   let ((x, y) as eye) = Panel.point panel (Camera.eye camera) in
   let ((x', y') as top) = Panel.point panel high in

@@ -28,6 +28,9 @@ let with_size ~width ~height { canvas_width; canvas_height; depth; _ } =
 
 let eye camera = Vec3.make 0. 0. (-.camera.depth)
 
+let canvas { canvas_width = w; canvas_height = h; _ } =
+  (Vec3.make (w /. -2.) (h /. -2.) 0., Vec3.make (w /. 2.) (h /. 2.) 0.)
+
 let scale camera =
   Float.min camera.depth (Float.min camera.canvas_width camera.canvas_height)
 

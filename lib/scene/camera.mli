@@ -40,6 +40,10 @@ val with_size : width:int -> height:int -> t -> t
 val eye : t -> Vec3.t
 (** [eye camera] is the point (0, 0, -depth). *)
 
+val canvas : t -> Vec3.t * Vec3.t
+(** [canvas camera] is the lower left and the upper right corner of the canvas,
+    as the eye sees it. *)
+
 val scale : t -> float
 (** [scale camera] is a length that tells how large the scene's lengths are:
     the smallest of canvas width, canvas height and depth. *)

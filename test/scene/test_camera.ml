@@ -24,6 +24,11 @@ let test_corners () =
   (* x = -1 is one pixel further left *)
   check "outside" (-1, 0) (-2.5) 0.75
 
+let test_canvas () =
+  let low, high = Camera.canvas four_by_two in
+  Alcotest.check Same.vec3 "lower left" (v (-2.) (-1.5) 0.) low;
+  Alcotest.check Same.vec3 "upper right" (v 2. 1.5 0.) high
+
 let test_centre () =
   let odd = camera ~width:5 ~height:3 ~depth:7. () in
   Alcotest.check Same.direction "straight ahead" (dir 0. 0. 1.)
@@ -79,6 +84,7 @@ let suite =
   ( "Camera",
     [
       Alcotest.test_case "corner pixels" `Quick test_corners;
+      Alcotest.test_case "canvas" `Quick test_canvas;
       Alcotest.test_case "centre pixel" `Quick test_centre;
       Alcotest.test_case "with_size" `Quick test_with_size;
       Alcotest.test_case "scale" `Quick test_scale;
