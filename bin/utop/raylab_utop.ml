@@ -47,6 +47,8 @@ let () =
   at_exit flush_or_tell;
   (* raylab ignores it, and that is inherited *)
   Sys.set_signal Sys.sigpipe Signal_default;
+  (* a file that may not grow is an error of writing *)
+  Sys.set_signal Sys.sigxfsz Signal_ignore;
   let scene = argument 1 in
   let script = argument 2 in
   Loader.install ();

@@ -40,7 +40,7 @@ A file that may not grow is like a full disk; here it may not even start. What
 fails then depends on the size and the format.
 
   $ limited () {
-  >   (trap '' XFSZ; ulimit -f $1; shift; raylab "$@"; echo "[$?]") 2>&1 | cat
+  >   (ulimit -f $1; shift; raylab "$@"; echo "[$?]") 2>&1 | cat
   > }
   $ for format in bmp ppm; do
   >   echo older > old.$format
