@@ -1,5 +1,6 @@
 open Cmdliner
 open Raylab_toplevel
+open Raylab_picture
 
 (* utop needs bytecode, and raylab is native code. *)
 let prompt = "raylab-utop"
@@ -11,7 +12,10 @@ let repl scene script () =
         (None, Some script)
     | arguments -> arguments
   in
-  if scene = Some "-" && script = None then
+  if
+    Option.fold ~none:false ~some:Target.is_standard_input scene
+    && script = None
+  then
     Command.usage_error
       "a scene from standard input leaves nothing for the prompt to read";
   let here = Sys.executable_name in

@@ -1,6 +1,7 @@
 open Raylab_scene
 open Raylab_language
 open Raylab_tracer
+open Raylab_picture
 
 type t = {
   scene : Scene.t;
@@ -20,7 +21,7 @@ let use scene = current := about scene
 
 let load path =
   let loaded = Scene_file.load path in
-  let file = if path = "-" then None else Some path in
+  let file = if Target.has_name path then Some path else None in
   Result.iter (fun scene -> current := about ?file scene) loaded;
   loaded
 

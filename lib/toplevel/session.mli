@@ -11,7 +11,8 @@ val scene : unit -> Scene.t
 (** [scene ()] is the current scene, at first {!Build.empty}. *)
 
 val file : unit -> string option
-(** [file ()] is the file that the current scene was loaded from, if it was. *)
+(** [file ()] is the file that the current scene was loaded from, if it was
+    from one that has a name; see {!Raylab_picture.Target.has_name}. *)
 
 val trace : unit -> Trace.t
 (** [trace ()] is the current scene made ready for tracing. *)
