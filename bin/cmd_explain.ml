@@ -39,7 +39,7 @@ let check_svg options =
   | Some _, _ :: _ :: _ ->
       Command.usage_error
         "option --svg: the picture is of the path of one pixel, not of several"
-  | Some "-", _ when options.form <> Text ->
+  | Some path, _ when Target.is_standard_output path && options.form <> Text ->
       Command.usage_error
         "option --svg: only one thing can go to standard output"
   | Some path, _ when Command.is_same_file path options.scene ->
@@ -73,8 +73,23 @@ let steps scene pixels =
       String.concat "\n" (List.map titled pixels)
 
 let or_end = function
-  | Ok () -> ()
+  | Ok value -> value
   | Error message -> Command.write_error message
+
+let check_place path =
+  or_end
+    (if Target.is_standard_output path then Atomic_file.check_output ()
+     else Atomic_file.check ~path ~bytes:1)
+
+let save_svg path text =
+  let write part =
+    Out_channel.with_open_bin part (fun channel ->
+        output_string channel text;
+        flush channel)
+  in
+  match or_end (Atomic_file.save ~path write) with
+  | Whole -> ()
+  | In_place _ as outcome -> Command.say "%s" (Atomic_file.wrote ~path outcome)
 
 let explain options () =
   check_svg options;
@@ -82,6 +97,7 @@ let explain options () =
   let scene = Options.adjust options.view written in
   List.iter (check_pixel scene.camera) options.pixels;
   Options.warn options.view written;
+  Option.iter check_place options.svg;
   let prepared = Trace.prepare scene in
   let explained (x, y) = Explain.pixel prepared ~x ~y in
   let pixels () = List.map explained options.pixels in
@@ -96,14 +112,10 @@ let explain options () =
   in
   match options.svg with
   | None -> or_end (Atomic_file.print (said ()))
-  | Some "-" -> or_end (Atomic_file.print (svg ()))
+  | Some path when Target.is_standard_output path ->
+      or_end (Atomic_file.print (svg ()))
   | Some path ->
-      let write part =
-        Out_channel.with_open_bin part (fun channel ->
-            output_string channel (svg ());
-            flush channel)
-      in
-      or_end (Atomic_file.save ~path write);
+      save_svg path (svg ());
       or_end (Atomic_file.print (said ()))
 
 (* {1 The command line} *)

@@ -10,20 +10,30 @@ let or_refuse = function
   | Ok value -> value
   | Error messages -> Command.refuse messages
 
+let save join format out ~quiet =
+  Join.save join format ~path:out
+  |> Result.map (fun outcome ->
+         if not quiet then
+           Command.say "%s" (Atomic_file.wrote ~path:out outcome))
+
 let join parts out wanted quiet () =
+  let to_output = Target.is_standard_output out in
   let files = or_refuse (Join.files parts) in
   let format =
     Output.format ?wanted out ~inputs:files ~named:"one of the bands"
   in
+  or_write_error
+    (if to_output then Atomic_file.check_output ()
+     else Atomic_file.check ~path:out ~bytes:1);
   let join = or_refuse (Join.check files) in
   let { Band.width; height; _ } = Join.whole join in
   or_write_error (Picture_file.check_format format ~width ~height);
   let written =
-    if out = "-" then Join.output join format stdout
-    else Join.save join format ~path:out
+    if to_output then Join.output join format stdout
+    else save join format out ~quiet
   in
   match written with
-  | Ok () -> if out <> "-" && not quiet then Command.say "wrote %s" out
+  | Ok () -> ()
   | Error (Unreadable message) -> Command.refuse [ message ]
   | Error (Unwritable message) -> Command.write_error message
 

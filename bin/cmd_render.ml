@@ -25,34 +25,46 @@ type options = {
 
 type target = Standard_output | File of string
 
-let target { scene; out; format; _ } =
-  match out with
-  | Some "-" -> Standard_output
-  | Some path -> File path
-  | None when scene = "-" ->
-      Command.usage_error
-        "a scene from standard input has no name to call its picture after: \
-         say where it goes with -o"
-  | None -> File (Output.beside ?format scene)
+let path { scene; out; format; _ } =
+  match (out, Scene_path.picture ?format scene) with
+  | Some path, _ | None, Ok path -> path
+  | None, Error message -> Command.usage_error "%s" message
 
-let format options = function
-  | Standard_output -> Option.value options.format ~default:Picture_file.Bmp
-  | File path ->
-      Output.format ?wanted:options.format path ~inputs:[ options.scene ]
-        ~named:"the scene"
+let target path =
+  if Target.is_standard_output path then Standard_output else File path
 
-let write format target band picture =
-  let written =
-    match (target, band) with
-    | Standard_output, None -> Picture_file.output format stdout picture
-    | File path, None -> Picture_file.save format ~path picture
-    | Standard_output, Some band ->
-        Band_writer.output format stdout band picture
-    | File path, Some band -> Band_writer.save format ~path band picture
-  in
-  match written with
-  | Ok () -> ()
+let format options path =
+  Output.format ?wanted:options.format path ~inputs:[ options.scene ]
+    ~named:"the scene"
+
+let or_write_error = function
+  | Ok value -> value
   | Error message -> Command.write_error message
+
+(* What is known to fail must not fail after hours of rendering. *)
+let check_target format target ~width ~height =
+  or_write_error
+    (match target with
+    | Standard_output -> Atomic_file.check_output ()
+    | File path -> Picture_file.check format ~path ~width ~height)
+
+let write_to_output format band picture =
+  match band with
+  | None -> Picture_file.output format stdout picture
+  | Some band -> Band_writer.output format stdout band picture
+
+let write_to_file format path band picture =
+  match band with
+  | None -> Picture_file.save format ~path picture
+  | Some band -> Band_writer.save format ~path band picture
+
+let write options format target band picture =
+  match target with
+  | Standard_output -> or_write_error (write_to_output format band picture)
+  | File path ->
+      let outcome = or_write_error (write_to_file format path band picture) in
+      if not options.quiet then
+        Command.say "%s" (Atomic_file.wrote ~path outcome)
 
 (* {1 Rendering} *)
 
@@ -64,15 +76,14 @@ let check_rows options { Camera.height; _ } =
         (height - 1)
   | _ -> ()
 
-let check_size format options { Camera.width; height; _ } =
+let check_picture format options target { Camera.width; height; _ } =
   let height =
     match options.rows with
     | Some { first; last } -> last - first + 1
     | None -> height
   in
-  match Picture_file.check_size format ~width ~height with
-  | Ok () -> ()
-  | Error message -> Command.write_error message
+  or_write_error (Picture_file.check_size format ~width ~height);
+  check_target format target ~width ~height
 
 let band options source { Camera.width; height; _ } =
   let of_rows { Render.first; last } =
@@ -112,7 +123,7 @@ let show options target scene picture ~seconds =
   in
   if wanted then
     let load () =
-      if options.scene = "-" then Ok (Trace.scene scene)
+      if Scene_path.is_stream options.scene then Ok (Trace.scene scene)
       else Window.load options.scene ~adjust:(Options.adjust options.view) ()
     in
     match
@@ -126,13 +137,14 @@ let show options target scene picture ~seconds =
     | Error _ -> ()
 
 let render options () =
-  let target = target options in
-  let format = format options target in
+  let path = path options in
+  let target = target path in
+  let format = format options path in
   let source = Command.read_scene options.scene in
   let written = Command.parse_scene source in
   let scene = Options.adjust options.view written in
   check_rows options scene.camera;
-  check_size format options scene.camera;
+  check_picture format options target scene.camera;
   if not options.quiet then Options.warn options.view written;
   let band = band options source scene.camera in
   let progress = Progress.start ~quiet:options.quiet in
@@ -150,10 +162,7 @@ let render options () =
   in
   let seconds = Unix.gettimeofday () -. started in
   Progress.clear progress;
-  write format target band picture;
-  (match target with
-  | File path when not options.quiet -> Command.say "wrote %s" path
-  | _ -> ());
+  write options format target band picture;
   if options.stats then
     print_stats tally
       ~pixels:(Picture.width picture * Picture.height picture)

@@ -30,14 +30,16 @@ let absolute path =
              "%s is relative to the current folder, which cannot be found: %s"
              path reason)
 
-let check_out options =
-  match options.out with
-  | "-" ->
-      Command.usage_error
-        "option -o: a job has no standard output for a picture; name a file"
-  | out when Sys.file_exists out && Sys.is_directory out ->
-      Command.write_error (out ^ ": is a directory")
-  | out -> Output.format out ~inputs:[ options.scene ] ~named:"the scene"
+(* The job would find out about its picture's place at the very end. *)
+let check_out ({ out; _ } as options) =
+  if not (Target.has_name out) then
+    Command.usage_error
+      "option -o: a job has no standard output for a picture; name a file";
+  let format =
+    Output.format out ~inputs:[ options.scene ] ~named:"the scene"
+  in
+  or_write_error (Atomic_file.check ~path:out ~bytes:1);
+  format
 
 let check_bands options { Camera.width; height; _ } =
   if options.bands > height then

@@ -37,14 +37,16 @@ let first options =
 
 let view options () =
   let path = options.scene in
-  if options.watch && path = "-" then
-    Command.usage_error "option --watch: standard input cannot be watched";
+  if options.watch && Scene_path.is_stream path then
+    Command.usage_error "option --watch: %s cannot be watched"
+      (Scene_path.name path);
   let check_out out =
-    if out = "-" then
+    if Target.is_standard_output out then
       Command.usage_error "option -o: explanations go to standard output";
     ignore
       (Output.format out ~inputs:[ path ] ~named:"the scene"
-        : Picture_file.format)
+        : Picture_file.format);
+    Result.iter_error Command.write_error (Window.can_save out)
   in
   Option.iter check_out options.out;
   (* before the scene is read, so that no change is missed *)
@@ -52,7 +54,7 @@ let view options () =
   let first = first options in
   let load () =
     match first with
-    | Scene scene when path = "-" -> Ok scene
+    | Scene scene when Scene_path.is_stream path -> Ok scene
     | _ -> load options ()
   in
   match

@@ -8,7 +8,7 @@ let beside ?(format = Picture_file.Bmp) scene =
 let format ?wanted path ~inputs ~named =
   if path = "" then
     Command.usage_error "option -o: the name of the file is empty";
-  if List.exists (Command.is_same_file path) inputs then
+  if path <> "-" && List.exists (Command.is_same_file path) inputs then
     Command.usage_error "%s is %s; the picture would replace it" path named;
   match Picture_file.format_of_path ?default:wanted path with
   | Error message -> Command.usage_error "%s" message

@@ -7,6 +7,10 @@ val is_stream : string -> bool
 val name : string -> string
 (** [name path] is how messages call [path]. *)
 
-val picture : string -> (string, string) result
-(** [picture path] is where the picture of the scene at [path] goes if nothing
-    else is said, {!Output.beside}, or a message that asks for a name. *)
+val picture :
+  ?format:Raylab_picture.Picture_file.format ->
+  string ->
+  (string, string) result
+(** [picture ~format path] is where the picture of the scene at [path] goes if
+    nothing else is said, {!Output.beside}, or a message that asks for a name.
+*)

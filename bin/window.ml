@@ -20,30 +20,32 @@ let load path ~adjust () =
       let text = List.map (Format.asprintf "%a" Scene_error.pp) errors in
       Error (String.concat "\n" text)
 
+let can_save path = Atomic_file.check ~path ~bytes:1
+let ( let* ) = Result.bind
+
 let save path picture =
-  let written =
-    Result.bind (Picture_file.format_of_path path) (fun format ->
-        Picture_file.save format ~path picture)
-  in
-  match written with
-  | Ok () -> "raylab: wrote " ^ path
-  | Error message -> "raylab: " ^ message
+  let* format = Picture_file.format_of_path path in
+  let* outcome = Picture_file.save format ~path picture in
+  Ok (Atomic_file.wrote ~path outcome)
+
+let said = ( ^ ) "raylab: "
 
 let source ?out path ~load =
-  let save =
-    match out with
-    | Some out -> save out
-    | None when path = "-" ->
-        fun _ ->
-          "raylab: a scene from standard input has no name to call its \
-           picture after: say where it goes with -o"
-    | None -> save (Output.beside path)
+  let out =
+    match out with Some out -> Ok out | None -> Scene_path.picture path
   in
-  let name = if path = "-" then "standard input" else Filename.basename path in
-  let save picture =
-    Signals.cleaning Output.remove_temporary_files (fun () -> save picture)
+  let to_out f =
+    Signals.cleaning Output.remove_temporary_files (fun () ->
+        Result.map_error said (Result.bind out f))
   in
-  { Session.name; load; save }
+  let can_save () = to_out can_save
+  and save picture =
+    match to_out (fun path -> save path picture) with
+    | Ok text -> said text
+    | Error text -> text
+  in
+  let name = Filename.basename (Scene_path.name path) in
+  { Session.name; load; can_save; save }
 
 let on_loss () = Unix._exit Exit_code.ok
 

@@ -21,6 +21,10 @@ val source :
 (** [source ~out path ~load] loads the scene by [load], and saves the picture
     to [out], by default beside [path] as BMP. *)
 
+val can_save : string -> (unit, string) result
+(** [can_save path] is whether a picture can be saved at [path], as far as that
+    is known before; see {!Raylab_picture.Atomic_file.check}. *)
+
 val show :
   ?domains:int ->
   ?rows:Render.rows ->

@@ -13,7 +13,7 @@ val save :
   path:string ->
   Band.t ->
   Picture.t ->
-  (unit, string) result
+  (Atomic_file.outcome, string) result
 (** [save format ~path band rows] writes the picture [rows] of [band] to
     [path]; see {!Raylab_picture.Picture_file.save}.
 

@@ -128,7 +128,7 @@ type failure = Unreadable of string | Unwritable of string
 
 let failing written =
   match written () with
-  | Ok () -> Ok ()
+  | Ok result -> Ok result
   | Error message -> Error (Unwritable message)
   | exception Band_file.Unreadable message -> Error (Unreadable message)
 

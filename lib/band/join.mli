@@ -26,7 +26,11 @@ type failure =
   | Unwritable of string
       (** the message of {!Raylab_picture.Atomic_file.save} *)
 
-val save : t -> Picture_file.format -> path:string -> (unit, failure) result
+val save :
+  t ->
+  Picture_file.format ->
+  path:string ->
+  (Atomic_file.outcome, failure) result
 (** [save join format ~path] writes the picture to [path]. It is the file that
     {!Raylab_picture.Picture_file.save} makes of the picture rendered at once,
     byte for byte. *)

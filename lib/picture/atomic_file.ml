@@ -1,28 +1,14 @@
-let flush_to_disk path =
-  let file = Unix.openfile path [ O_RDWR ] 0 in
-  Fun.protect ~finally:(fun () -> Unix.close file) (fun () -> Unix.fsync file)
+type outcome = Regular_file.outcome = Whole | In_place of string
 
-let in_use = Atomic.make []
-let temporary () = Atomic.get in_use
+let wrote ~path = function
+  | Whole -> "wrote " ^ path
+  | In_place reason ->
+      Printf.sprintf
+        "wrote %s by copying over what was there, for it cannot be replaced \
+         (%s). Had that failed, neither would be whole"
+        path reason
 
-let rec change_in_use f =
-  let old = Atomic.get in_use in
-  if not (Atomic.compare_and_set in_use old (f old)) then change_in_use f
-
-(* [with_temporary dir use] is [use path] for the path of a new, empty file in
-   [dir], which is removed if it is still there afterwards. *)
-let with_temporary dir use =
-  let path = Filename.temp_file ~temp_dir:dir ".raylab-" ".part" in
-  change_in_use (List.cons path);
-  Fun.protect
-    ~finally:(fun () ->
-      if Sys.file_exists path then Sys.remove path;
-      change_in_use (List.filter (fun other -> other <> path)))
-    (fun () -> use path)
-
-let write_whole write path =
-  write path;
-  flush_to_disk path
+let temporary = Temporary.in_use
 
 (* {1 Reporting failures} *)
 
@@ -37,10 +23,14 @@ let without_path reason =
 let reporting name f =
   let error reason = Error (Printf.sprintf "%s: %s" name reason) in
   match f () with
-  | () -> Ok ()
+  | result -> Ok result
+  | exception Unix.Unix_error (EISDIR, _, _) -> error "is a directory"
   | exception Unix.Unix_error (code, _, _) -> error (Unix.error_message code)
+  | exception Regular_file.Failed reason -> error reason
   | exception (Sys_error reason | Failure reason) ->
       error (without_path reason)
+
+(* {1 Streams} *)
 
 let copy_to channel path =
   In_channel.with_open_bin path (fun source ->
@@ -59,9 +49,9 @@ let output_exn channel write =
   if not (Sys.file_exists dir) then
     raise (Sys_error ("there is no folder " ^ dir ^ " for temporary files"));
   Out_channel.set_binary_mode channel true;
-  with_temporary dir (fun part ->
-      write_whole write part;
-      copy_to channel part)
+  Temporary.use (Temporary.make dir "part") (fun part ->
+      write part.path;
+      copy_to channel part.path)
 
 (* What is still in the buffer of a channel that fails must not fail again at
    the exit. *)
@@ -81,34 +71,46 @@ let print text =
           print_string text;
           flush stdout))
 
-let save_beside path ~permissions write =
-  with_temporary (Filename.dirname path) (fun part ->
-      write_whole write part;
-      Unix.chmod part permissions;
-      Unix.rename part path)
+let write_through file write =
+  let channel = Unix.out_channel_of_descr file in
+  Fun.protect
+    ~finally:(fun () -> close_out_noerr channel)
+    (fun () -> output_exn channel write);
+  Whole
 
-let umask () =
-  let mask = Unix.umask 0 in
-  ignore (Unix.umask mask);
-  mask
+(* What another process has open is appended to: its place there is its own. *)
+let stream path =
+  Unix.openfile path [ O_WRONLY; O_APPEND; O_NOCTTY; O_CLOEXEC ] 0
 
-let save_new path write =
-  save_beside path ~permissions:(0o666 land lnot (umask ())) write
+let check_descriptor n =
+  if not (Descriptor.is_writable n) then
+    raise (Unix.Unix_error (EBADF, "write", ""))
 
-let rec save_exn path write =
-  match Unix.stat path with
-  | { st_kind = S_REG; st_perm; _ } ->
-      Unix.access path [ W_OK ];
-      save_beside (Unix.realpath path) ~permissions:st_perm write
-  | { st_kind = S_DIR; _ } -> raise (Sys_error "is a directory")
-  | _ ->
-      Out_channel.with_open_bin path (fun channel -> output_exn channel write)
-  | exception Unix.Unix_error (ENOENT, _, _) -> (
-      match Unix.readlink path with
-      | target when Filename.is_relative target ->
-          let beside = Filename.concat (Filename.dirname path) target in
-          save_exn beside write
-      | target -> save_exn target write
-      | exception Unix.Unix_error _ -> save_new path write)
+(* A pipe is not opened before there is something to write: its reader would
+   wait. *)
+let check_stream path =
+  Unix.access path [ W_OK ];
+  match (Unix.stat path).st_kind with
+  | S_CHR | S_BLK -> Unix.close (stream path)
+  | _ -> ()
 
-let save ~path write = reporting path (fun () -> save_exn path write)
+(* {1 Any path} *)
+
+let save ~path write =
+  reporting path (fun () ->
+      match Target.of_path path with
+      | File (path, old) -> Regular_file.write path (Some old) write
+      | Nothing path -> Regular_file.write path None write
+      | Descriptor n -> write_through (Descriptor.duplicate n) write
+      | Stream path -> write_through (stream path) write)
+
+let check ~path ~bytes =
+  reporting path (fun () ->
+      match Target.of_path path with
+      | File (path, old) -> Regular_file.check path (Some old) ~bytes
+      | Nothing path -> Regular_file.check path None ~bytes
+      | Descriptor n -> check_descriptor n
+      | Stream path -> check_stream path)
+
+let check_output () =
+  reporting "standard output" (fun () -> check_descriptor 1)

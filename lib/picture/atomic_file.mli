@@ -1,14 +1,38 @@
 (** Files that appear whole or not at all. *)
 
-val save : path:string -> (string -> unit) -> (unit, string) result
+(** {1 Files} *)
+
+type outcome = Regular_file.outcome =
+  | Whole  (** the file came into its place in one step *)
+  | In_place of string
+      (** it had to be copied over what was there, for this reason: it is a
+          mount point, or its folder does not let it be replaced *)
+
+val save : path:string -> (string -> unit) -> (outcome, string) result
 (** [save ~path write] lets [write] fill a new file, whose name it is given,
     and makes it the file at [path]: it lies beside [path], is flushed to the
     disk and then renamed. If anything fails the result is a message that names
-    [path] and the reason, and what was at [path] before is untouched. A
-    symbolic link is followed. What is not a regular file, such as a device, is
-    written to directly.
+    [path] and the reason, and what was at [path] before is untouched, unless
+    it had to be copied over. Symbolic links are followed. Of a file that was
+    there the mode is kept, and the owner where the system lets one.
+
+    What is no regular file, such as a pipe or a device, and what the process
+    has open, such as [/dev/stdout], is written through: what is there stays,
+    and the bytes come after it.
 
     [write] fails by raising [Sys_error], [Failure] or [Unix.Unix_error]. *)
+
+val check : path:string -> bytes:int -> (unit, string) result
+(** [check ~path ~bytes] is the message with which a {!save} of at least
+    [bytes] to [path] would fail now, if that can be known: to say so before
+    there is much work for nothing. It makes a temporary file of that size, and
+    removes it. *)
+
+val wrote : path:string -> outcome -> string
+(** [wrote ~path outcome] says that [path] was written, and what it cost if it
+    had to be copied over. *)
+
+(** {1 Standard output} *)
 
 val output : out_channel -> (string -> unit) -> (unit, string) result
 (** [output channel write] lets [write] fill a temporary file, as {!save} does,
@@ -19,6 +43,12 @@ val print : string -> (unit, string) result
 (** [print text] writes [text] to standard output and flushes that. If this
     fails the result is a message, and standard output is closed, so that it
     cannot fail again when the program ends. *)
+
+val check_output : unit -> (unit, string) result
+(** [check_output ()] is the message with which {!output} to standard output
+    would fail now, if that can be known: it is closed. *)
+
+(** {1 Ending} *)
 
 val temporary : unit -> string list
 (** [temporary ()] is the files that a {!save} or {!output} under way would

@@ -62,6 +62,10 @@ let save_pixels format ~path pixels =
 let output_pixels format channel pixels =
   Atomic_file.output channel (fill format pixels)
 
+let check format ~path ~width ~height =
+  let bytes = match format with Png -> 1 | Bmp | Ppm -> 3 * width * height in
+  Atomic_file.check ~path ~bytes
+
 let save format ~path picture =
   save_pixels format ~path (Pixels.of_picture picture)
 

@@ -25,7 +25,14 @@ val check_format : format -> width:int -> height:int -> (unit, string) result
 (** [check_format format ~width ~height] is {!check_size} without the limit of
     memory: for a picture that is not in memory as a whole. *)
 
-val save : format -> path:string -> Picture.t -> (unit, string) result
+val check :
+  format -> path:string -> width:int -> height:int -> (unit, string) result
+(** [check format ~path ~width ~height] is the message with which a {!save} of
+    such a picture would fail now, if that can be known; see
+    {!Atomic_file.check}. How large a PNG becomes is not known before. *)
+
+val save :
+  format -> path:string -> Picture.t -> (Atomic_file.outcome, string) result
 (** [save format ~path picture] writes [picture] to [path], so that the file
     appears whole or not at all; see {!Atomic_file.save}. *)
 
@@ -35,7 +42,8 @@ val output : format -> out_channel -> Picture.t -> (unit, string) result
 
 (** {1 Piece by piece} *)
 
-val save_pixels : format -> path:string -> Pixels.t -> (unit, string) result
+val save_pixels :
+  format -> path:string -> Pixels.t -> (Atomic_file.outcome, string) result
 (** [save_pixels] is {!save} of pixels as they come. What [pixels.iter] raises
     it raises, and nothing is written. *)
 

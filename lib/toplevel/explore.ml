@@ -102,15 +102,19 @@ let back () = go Walk.back "there is no step before; next () goes on"
 let render () = Native.picture (scene ())
 let show () = Native.show ?file:(Session.file ()) (scene ())
 
-let save path =
-  let written =
-    match Picture_file.format_of_path path with
-    | Error message -> invalid_arg message
-    | Ok format ->
-        let { Camera.width; height; _ } = (scene ()).camera in
-        Result.bind (Picture_file.check_size format ~width ~height) (fun () ->
-            Picture_file.save format ~path (render ()))
-  in
-  match written with
-  | Ok () -> Format.printf "wrote %s@." (Raylab_language.Source.printable path)
+let or_sys_error = function
+  | Ok value -> value
   | Error message -> raise (Sys_error message)
+
+let save path =
+  match Picture_file.format_of_path path with
+  | Error message -> invalid_arg message
+  | Ok format ->
+      let { Camera.width; height; _ } = (scene ()).camera in
+      or_sys_error (Picture_file.check_size format ~width ~height);
+      or_sys_error (Picture_file.check format ~path ~width ~height);
+      let outcome =
+        or_sys_error (Picture_file.save format ~path (render ()))
+      in
+      Format.printf "%s@."
+        (Raylab_language.Source.printable (Atomic_file.wrote ~path outcome))

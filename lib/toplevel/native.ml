@@ -136,10 +136,12 @@ let still_has scene file =
 let show_here ~name ~out scene =
   let save picture =
     match Picture_file.save Bmp ~path:out picture with
-    | Ok () -> "wrote " ^ out
+    | Ok outcome -> Atomic_file.wrote ~path:out outcome
     | Error message -> message
   in
-  let source = { Session.name; load = (fun () -> Ok scene); save } in
+  let load () = Ok scene
+  and can_save () = Atomic_file.check ~path:out ~bytes:1 in
+  let source = { Session.name; load; can_save; save } in
   let terminal = Terminal.make stdout ~tell:prerr_endline in
   Result.iter_error prerr_endline (View.run ~terminal source (Scene scene))
 

@@ -5,6 +5,7 @@ open Raylab_drawing
 type source = {
   name : string;
   load : unit -> (Scene.t, string) result;
+  can_save : unit -> (unit, string) result;
   save : Picture.t -> string;
 }
 
@@ -147,9 +148,12 @@ let save s =
       s.terminal.tell (s.source.save (Refinement.picture refinement))
   | In_error _, _ ->
       s.terminal.tell "the scene is in error: there is no picture to save"
-  | _ ->
-      s.save_when_whole <- true;
-      s.terminal.tell "the picture will be saved when it is whole"
+  | _ -> (
+      match s.source.can_save () with
+      | Error message -> s.terminal.tell message
+      | Ok () ->
+          s.save_when_whole <- true;
+          s.terminal.tell "the picture will be saved when it is whole")
 
 let note_size s size =
   if size <> s.picture_size then (

@@ -7,6 +7,8 @@ type source = {
   name : string;  (** what the title calls the scene *)
   load : unit -> (Scene.t, string) result;
       (** reads the scene, on another domain; or says, in lines, why not *)
+  can_save : unit -> (unit, string) result;
+      (** whether [save] will work as far as is known now, or why not *)
   save : Picture.t -> string;
       (** saves the picture, and says where, or why it could not *)
 }

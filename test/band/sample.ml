@@ -36,7 +36,7 @@ let save ?whole:known format path picture ~first ~last =
       (Band.make whole ~first ~last)
       (rows picture ~first ~last)
   with
-  | Ok () -> ()
+  | Ok _ -> ()
   | Error message -> Alcotest.fail message
 
 let in_new_folder f () =

@@ -10,13 +10,13 @@ let join paths format ~path =
   | Error messages -> Alcotest.fail (String.concat "\n" messages)
   | Ok join -> (
       match Join.save join format ~path with
-      | Ok () -> Sample.read path
+      | Ok _ -> Sample.read path
       | Error (Unreadable message | Unwritable message) ->
           Alcotest.fail message)
 
 let at_once picture format ~path =
   match Picture_file.save format ~path picture with
-  | Ok () -> Sample.read path
+  | Ok _ -> Sample.read path
   | Error message -> Alcotest.fail message
 
 (* {1 Any split} *)

@@ -110,3 +110,28 @@ Nor does it need standard error.
   [1]
   $ raylab check missing.scene 2> /dev/full
   [1]
+
+Standard input by another name, and a pipe, have no name either. They are read
+once.
+
+  $ raylab render /dev/stdin < sky.scene
+  raylab: a scene from standard input has no name to call its picture after: say where it goes with -o
+  [124]
+  $ raylab /proc/self/fd/0 < sky.scene
+  raylab: a scene from standard input has no name to call its picture after: say where it goes with -o
+  [124]
+  $ mkfifo pipe && ln -s pipe link
+  $ raylab render link
+  raylab: a scene from link has no name to call its picture after: say where it goes with -o
+  [124]
+  $ cat sky.scene > pipe & raylab render link -o - | cmp - sky.bmp; wait
+  $ raylab render /dev/stdin -o - < sky.scene | cmp - sky.bmp
+  $ raylab view /dev/stdin --watch < sky.scene
+  raylab: option --watch: standard input cannot be watched
+  [124]
+  $ raylab view link --watch
+  raylab: option --watch: link cannot be watched
+  [124]
+  $ raylab repl /dev/stdin < sky.scene
+  raylab: a scene from standard input leaves nothing for the prompt to read
+  [124]

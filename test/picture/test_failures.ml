@@ -10,7 +10,7 @@ let check_fails what reason path =
   List.iter
     (fun format ->
       match Picture_file.save format ~path picture with
-      | Ok () -> Alcotest.failf "%s: no error" what
+      | Ok _ -> Alcotest.failf "%s: no error" what
       | Error message ->
           Expect.contains what ~part:path message;
           Expect.contains what ~part:reason (String.lowercase_ascii message);

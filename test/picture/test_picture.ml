@@ -9,5 +9,6 @@ let () =
       Test_pixels.suite;
       Test_replace.suite;
       Test_failures.suite;
+      Test_fixed.suite;
       Test_output.suite;
     ]

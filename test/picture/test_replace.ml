@@ -6,7 +6,7 @@ let picture = Sample.picture ~width:5 ~height:3
 
 let save path =
   match Picture_file.save Ppm ~path picture with
-  | Ok () -> ()
+  | Ok _ -> ()
   | Error message -> Alcotest.fail message
 
 (* The bytes that a saved picture has. *)

@@ -38,6 +38,39 @@ To root nothing is forbidden, so these run as nobody.
   open:
   old.bmp
 
+In a folder that takes no new files, a file that may be written is written. That
+costs something, which is told. The temporary file is in the folder for such
+files, where there must be room then; this is known before.
+
+  $ mkdir tmp && chmod 777 tmp && chmod 666 locked/old.bmp
+  $ ./raylab render sky.scene -q -o sky.bmp
+  $ TMPDIR=$PWD/tmp as_nobody ./raylab render sky.scene -o locked/old.bmp
+  raylab: wrote locked/old.bmp by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither would be whole
+  $ cmp sky.bmp locked/old.bmp
+  $ TMPDIR=/missing as_nobody ./raylab render sky.scene -o locked/old.bmp
+  raylab: locked/old.bmp: no file can be made in its folder (Permission denied), nor in /missing, the folder for temporary files (No such file or directory)
+  [2]
+  $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg locked/old.bmp > text
+  raylab: wrote locked/old.bmp by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither would be whole
+  $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg - | cmp - locked/old.bmp
+  $ ls -A locked tmp
+  locked:
+  old.bmp
+  
+  tmp:
+
+Owner and mode
+--------------
+
+They stay. This shows something only if root runs it.
+
+  $ mkdir theirs && echo older > theirs/old.bmp && chmod 640 theirs/old.bmp
+  $ if test $(id -u) = 0; then chown 65534:65533 theirs theirs/old.bmp; fi
+  $ before=$(stat -c '%u %g %a' theirs/old.bmp)
+  $ ./raylab render sky.scene -q -o theirs/old.bmp
+  $ cmp sky.bmp theirs/old.bmp
+  $ test "$(stat -c '%u %g %a' theirs/old.bmp)" = "$before"
+
 The folder goes away
 --------------------
 
@@ -58,7 +91,7 @@ A kill that no program can answer, while the picture is written: the older file
 is whole.
 
   $ await_part () {
-  >   for try in $(seq 2000); do ls -A $1 | grep -q part && break; sleep 0.01; done
+  >   for try in $(seq 500); do ls -A $1 | grep -q ${2:-part} && break; sleep 0.01; done
   > }
   $ mkdir killed && echo older > killed/old.ppm
   $ ./raylab render sky.scene -q --size 6000x6000 -o killed/old.ppm & pid=$!
@@ -82,6 +115,20 @@ Ended during the write, it leaves nothing else there.
   [143]
   old.ppm
   older
+
+Nor when it is tried whether there is room, before a rendering that would take
+hours here.
+
+  $ cat > hall.scene <<EOF
+  > imWidth 6000   imHeight 6000   canvWidth 4   canvHeight 4   depth 4
+  > raydepth 1000000
+  > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
+  > EOF
+  $ ./raylab render hall.scene -q -o killed/old.ppm & pid=$!
+  $ await_part killed room; kill $pid; wait $pid
+  [143]
+  $ ls -A killed
+  old.ppm
 
 Nor does it mind if that was taken away already.
 

@@ -278,7 +278,7 @@ Wrong
   $ wrong sky.scene -o tools --bands 2
   raylab: tools: is a directory
   $ wrong sky.scene -o missing/a.bmp --bands 2
-  raylab: $TESTCASE_ROOT/missing/a.slurm: No such file or directory
+  raylab: missing/a.bmp: No such file or directory
   $ wrong sky.scene -o a.bmp --bands 2 --size 40000x40000
   raylab: a BMP of 40000 x 40000 pixels is too large: no BMP has more than 4 GiB. Use .png or .ppm
   $ wrong sky.scene -o a.ppm --bands 2 --size 60000x60000
