@@ -55,7 +55,7 @@ Nothing that could be written to:
   $ at_once raylab render hall.scene -o /dev/stdout >&-
   raylab: standard output: Bad file descriptor
   [2]
-  $ at_once raylab render hall.scene -o /dev/fd/9
+  $ at_once raylab render hall.scene -o /dev/fd/9 9>&-
   raylab: /dev/fd/9: Bad file descriptor
   [2]
   $ at_once raylab render hall.scene -o /dev/fd/9 9< /dev/null
