@@ -30,16 +30,14 @@ let absolute path =
              "%s is relative to the current folder, which cannot be found: %s"
              path reason)
 
-(* The job would find out about its picture's place at the very end. *)
-let check_out ({ out; _ } as options) =
+let check_out { out; scene; _ } =
   if not (Target.has_name out) then
     Command.usage_error
       "option -o: a job has no standard output for a picture; name a file";
-  let format =
-    Output.format out ~inputs:[ options.scene ] ~named:"the scene"
-  in
-  or_write_error (Atomic_file.check ~path:out ~bytes:1);
-  format
+  Output.format out ~inputs:[ scene ] ~named:"the scene"
+
+(* The job would find out at its very end. *)
+let check_place path = or_write_error (Atomic_file.check ~path ~bytes:1)
 
 let check_bands options { Camera.width; height; _ } =
   if options.bands > height then
@@ -91,13 +89,14 @@ let submit folder =
 
 let slurm options () =
   let format = check_out options in
+  let out = absolute options.out in
+  check_place options.out;
   let source = Command.read_scene options.scene in
   let written = Command.parse_scene source in
   let scene = Options.adjust options.view written in
   check_bands options scene.camera;
   check_whole format scene.camera;
   Options.warn options.view written;
-  let out = absolute options.out in
   let folder = Filename.remove_extension out ^ ".slurm" in
   let job = job options ~out scene.camera in
   or_write_error (Folder.write folder ~scene:(Source.text source) job);

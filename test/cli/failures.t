@@ -180,8 +180,8 @@ What is relative to it cannot be found, and all else is as ever.
   sky.scene: error: No such file or directory
   [1]
   $ in_gone join a.ppm -o b.ppm
-  raylab: a.ppm: No such file or directory
-  [1]
+  raylab: b.ppm: No such file or directory
+  [2]
   $ in_gone repl "$top/sky.scene" script.ml
   Cannot find file script.ml.
   [2]

@@ -125,7 +125,7 @@ hours here.
   > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
   > EOF
   $ ./raylab render hall.scene -q -o killed/old.ppm & pid=$!
-  $ await_part killed room; kill $pid; wait $pid
+  $ await_part killed room; kill $pid; wait $pid 2> /dev/null
   [143]
   $ ls -A killed
   old.ppm
