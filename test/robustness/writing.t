@@ -50,8 +50,9 @@ files, where there must be room then; this is known before.
   $ TMPDIR=/missing as_nobody ./raylab render sky.scene -o locked/old.bmp
   raylab: locked/old.bmp: no file can be made in its folder (Permission denied), nor in /missing, the folder for temporary files (No such file or directory)
   [2]
-  $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg locked/old.bmp > text
-  raylab: wrote locked/old.bmp by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither would be whole
+  $ ln -s locked/old.bmp path.svg
+  $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg path.svg > text
+  raylab: wrote path.svg by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither would be whole
   $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg - | cmp - locked/old.bmp
   $ ls -A locked tmp
   locked:
