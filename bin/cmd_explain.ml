@@ -82,11 +82,7 @@ let check_place path =
      else Atomic_file.check ~path ~bytes:1)
 
 let save_svg path text =
-  let write part =
-    Out_channel.with_open_bin part (fun channel ->
-        output_string channel text;
-        flush channel)
-  in
+  let write channel = output_string channel text in
   match or_end (Atomic_file.save ~path write) with
   | Whole -> ()
   | In_place _ as outcome -> Command.say "%s" (Atomic_file.wrote ~path outcome)

@@ -32,50 +32,26 @@ let reporting name f =
 
 (* {1 Streams} *)
 
-let copy_to channel path =
-  In_channel.with_open_bin path (fun source ->
-      let chunk = Bytes.create 65536 in
-      let rec copy () =
-        match In_channel.input source chunk 0 (Bytes.length chunk) with
-        | 0 -> flush channel
-        | n ->
-            Out_channel.output channel chunk 0 n;
-            copy ()
-      in
-      copy ())
-
-let output_exn channel write =
-  let dir = Filename.get_temp_dir_name () in
-  if not (Sys.file_exists dir) then
-    raise (Sys_error ("there is no folder " ^ dir ^ " for temporary files"));
-  Out_channel.set_binary_mode channel true;
-  Temporary.use (Temporary.make dir "part") (fun part ->
-      write part.path;
-      copy_to channel part.path)
-
 (* What is still in the buffer of a channel that fails must not fail again at
    the exit. *)
-let closing_if_it_fails channel f =
-  try f ()
+let write_to channel write =
+  try
+    set_binary_mode_out channel true;
+    write channel;
+    flush channel
   with failure ->
     close_out_noerr channel;
     raise failure
 
 let output channel write =
-  reporting "standard output" (fun () ->
-      closing_if_it_fails channel (fun () -> output_exn channel write))
+  reporting "standard output" (fun () -> write_to channel write)
 
-let print text =
-  reporting "standard output" (fun () ->
-      closing_if_it_fails stdout (fun () ->
-          print_string text;
-          flush stdout))
+let print text = output stdout (fun channel -> output_string channel text)
 
 let write_through file write =
   let channel = Unix.out_channel_of_descr file in
-  Fun.protect
-    ~finally:(fun () -> close_out_noerr channel)
-    (fun () -> output_exn channel write);
+  write_to channel write;
+  close_out channel;
   Whole
 
 (* What another process has open is appended to: its place there is its own. *)

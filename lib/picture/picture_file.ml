@@ -50,17 +50,11 @@ let write = function
   | Ppm -> Uncompressed.write Ppm
   | Png -> Png_file.write
 
-let fill format pixels path =
-  Out_channel.with_open_bin path (fun channel ->
-      write format pixels channel;
-      (* closing would not tell of a full disk *)
-      flush channel)
-
 let save_pixels format ~path pixels =
-  Atomic_file.save ~path (fill format pixels)
+  Atomic_file.save ~path (write format pixels)
 
 let output_pixels format channel pixels =
-  Atomic_file.output channel (fill format pixels)
+  Atomic_file.output channel (write format pixels)
 
 let check format ~path ~width ~height =
   let bytes = match format with Png -> 1 | Bmp | Ppm -> 3 * width * height in

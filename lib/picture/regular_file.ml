@@ -39,7 +39,8 @@ let fill file ~bytes =
   fill bytes
 
 let check path old ~bytes =
-  with_temporary "room" path old (fun part _ -> fill part.file ~bytes)
+  with_temporary "room" path old (fun part _ ->
+      fill (Temporary.file part) ~bytes)
 
 let may f = match f () with () -> true | exception Unix.Unix_error _ -> false
 
@@ -50,13 +51,16 @@ let umask () =
 
 (* Only root gives files away, and others only to their groups. Nobody gets the
    rights of another: what runs as its owner does no longer. *)
-let take_after old { Temporary.file; _ } =
-  match old with
-  | None -> Unix.fchmod file (0o666 land lnot (umask ()))
-  | Some { Unix.st_uid; st_gid; st_perm; _ } ->
-      let give uid = may (fun () -> Unix.fchown file uid st_gid) in
-      ignore (give st_uid || give (-1) : bool);
-      ignore (may (fun () -> Unix.fchmod file (st_perm land 0o777)) : bool)
+let take_after old file =
+  let mode =
+    match old with
+    | None -> 0o666 land lnot (umask ())
+    | Some { Unix.st_uid; st_gid; st_perm; _ } ->
+        let give uid = may (fun () -> Unix.fchown file uid st_gid) in
+        ignore (give st_uid || give (-1) : bool);
+        st_perm land 0o777
+  in
+  ignore (may (fun () -> Unix.fchmod file mode) : bool)
 
 (* {1 Writing} *)
 
@@ -73,7 +77,7 @@ let copy source target =
   copy 0
 
 (* What was there is cut off last, so that its room is had again. *)
-let copy_over path { Temporary.file; _ } reason =
+let copy_over path file reason =
   let target = Unix.openfile path [ O_WRONLY; O_CLOEXEC ] 0 in
   Fun.protect
     ~finally:(fun () -> Unix.close target)
@@ -90,14 +94,16 @@ let copy_over path { Temporary.file; _ } reason =
 
 let write path old write =
   with_temporary "part" path old (fun part reason ->
-      write part.path;
-      Unix.fsync part.file;
+      write part.channel;
+      flush part.channel;
+      let file = Temporary.file part in
+      Unix.fsync file;
       match reason with
-      | Some reason -> copy_over path part reason
+      | Some reason -> copy_over path file reason
       | None -> (
-          take_after old part;
+          take_after old file;
           match Unix.rename part.path path with
           | () -> Whole
           | exception Unix.Unix_error (((EBUSY | EPERM | EACCES) as code), _, _)
             when old <> None ->
-              copy_over path part (Unix.error_message code)))
+              copy_over path file (Unix.error_message code)))

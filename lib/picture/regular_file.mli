@@ -12,7 +12,7 @@ type outcome =
 exception Failed of string
 (** A reason in words, for the user. *)
 
-val write : string -> Unix.stats option -> (string -> unit) -> outcome
+val write : string -> Unix.stats option -> (out_channel -> unit) -> outcome
 (** [write path old write] lets [write] fill a temporary file beside [path],
     flushes it to the disk and renames it to [path]. [old] is what is there
     now; its mode is kept, and its owner as far as the system lets one. If no

@@ -1,5 +1,6 @@
-type t = { path : string; file : Unix.file_descr }
+type t = { path : string; channel : out_channel }
 
+let file part = Unix.descr_of_out_channel part.channel
 let paths = Atomic.make []
 let in_use () = Atomic.get paths
 
@@ -20,7 +21,7 @@ let rec make folder kind =
   let path = Filename.concat folder (name kind) in
   note path;
   match Unix.openfile path [ O_RDWR; O_CREAT; O_EXCL; O_CLOEXEC ] 0o600 with
-  | file -> { path; file }
+  | file -> { path; channel = Unix.out_channel_of_descr file }
   | exception failure -> (
       forget path;
       match failure with
@@ -30,7 +31,7 @@ let rec make folder kind =
 let use part f =
   Fun.protect
     ~finally:(fun () ->
-      (try Unix.close part.file with Unix.Unix_error _ -> ());
+      close_out_noerr part.channel;
       (try Sys.remove part.path with Sys_error _ -> ());
       forget part.path)
     (fun () -> f part)

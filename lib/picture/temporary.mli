@@ -1,7 +1,10 @@
 (** Temporary files, none of which is left behind. *)
 
-type t = { path : string; file : Unix.file_descr }
-(** The type for temporary files, which are open for reading and writing. *)
+type t = { path : string; channel : out_channel }
+(** The type for temporary files that are being written. *)
+
+val file : t -> Unix.file_descr
+(** [file part] is what [part.channel] writes to. It can be read, too. *)
 
 val in_use : unit -> string list
 (** [in_use ()] is the paths that would be left behind if the program ended

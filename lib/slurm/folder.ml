@@ -36,12 +36,7 @@ let check_file folder (path, text) =
 let write_file (path, text) =
   if Sys.file_exists path then Ok ()
   else
-    let write part =
-      Out_channel.with_open_bin part (fun channel ->
-          output_string channel text;
-          (* closing would not tell of a full disk *)
-          flush channel)
-    in
+    let write channel = output_string channel text in
     Result.map ignore (Atomic_file.save ~path write)
 
 let make_executable path =

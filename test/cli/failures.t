@@ -93,23 +93,27 @@ Such a small picture can be written if there is room for it.
   $ limited 4 render sky.scene -q -o new.png
   [0]
 
-A picture for standard output is first made elsewhere, where there may be no
-room, or no place. Files are made where they belong.
+No folder for temporary files is needed: files are made where they belong, and
+what is for standard output, a pipe or a device goes there at once.
 
-  $ mkdir tmp
-  $ TMPDIR=/missing raylab render sky.scene -o - 2> err | wc -c
-  0
-  $ grep -o '/missing' err
-  /missing
-  $ TMPDIR=$PWD/missing raylab render sky.scene -q -o new.bmp
-  $ TMPDIR=$PWD/tmp raylab render sky.scene -o - > /dev/full
+  $ export TMPDIR=/missing
+  $ raylab render sky.scene -q -o new.bmp
+  $ raylab render sky.scene -o - | cmp - new.bmp
+  $ mkfifo pipe
+  $ cmp new.bmp - < pipe & raylab render sky.scene -q -o pipe; wait; rm pipe
+  $ raylab render sky.scene -q --rows 0-2 -o band.ppm
+  $ raylab join band.ppm -o - | cmp - new.bmp
+  $ raylab explain sky.scene 1,1 --svg path.svg > text
+  $ raylab explain sky.scene 1,1 --svg - | cmp - path.svg
+  $ rm band.ppm path.svg text
+  $ raylab render sky.scene -o - > /dev/full
   raylab: standard output: No space left on device
   [2]
-  $ ls -A tmp
+  $ unset TMPDIR
 
 Nothing is left of the failures.
 
-  $ rm new.png new.bmp err
+  $ rm new.png new.bmp
   $ ls -A . dir
   .:
   dir
@@ -117,7 +121,6 @@ Nothing is left of the failures.
   old.png
   old.ppm
   sky.scene
-  tmp
   
   dir:
 

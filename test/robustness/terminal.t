@@ -28,8 +28,6 @@ ASCII.
   0: raylab: a.a?[31mb?c??: there is no picture format '.a?[31mb?c??'; use .bmp, .png or .ppm
   $ say render "$esc.scene" -o "missing/$esc.bmp"
   0: raylab: missing/a?[31mb?c??.bmp: No such file or directory
-  $ TMPDIR="/missing$esc" say render "$esc.scene" -o -
-  0: raylab: standard output: there is no folder /missinga?[31mb?c?? for temporary files
   $ say render "$esc.scene" --size "$esc" | cut -c -45
   0: raylab: option '--size': 'a?[31mb?c??' is 
   $ say render "$esc.scene" "--$esc" | cut -c -60
