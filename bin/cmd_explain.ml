@@ -81,9 +81,12 @@ let check_place path =
     (if Target.is_standard_output path then Atomic_file.check_output ()
      else Atomic_file.check ~path ~bytes:1)
 
+let written write = or_end (Signals.for_readers write)
+let print text = written (fun () -> Atomic_file.print text)
+
 let save_svg path text =
   let write channel = output_string channel text in
-  match or_end (Atomic_file.save ~path write) with
+  match written (fun () -> Atomic_file.save ~path write) with
   | Whole -> ()
   | In_place _ as outcome -> Command.say "%s" (Atomic_file.wrote ~path outcome)
 
@@ -107,12 +110,11 @@ let explain options () =
     | Steps -> steps prepared options.pixels
   in
   match options.svg with
-  | None -> or_end (Atomic_file.print (said ()))
-  | Some path when Target.is_standard_output path ->
-      or_end (Atomic_file.print (svg ()))
+  | None -> print (said ())
+  | Some path when Target.is_standard_output path -> print (svg ())
   | Some path ->
       save_svg path (svg ());
-      or_end (Atomic_file.print (said ()))
+      print (said ())
 
 (* {1 The command line} *)
 

@@ -11,7 +11,7 @@ let or_refuse = function
   | Error messages -> Command.refuse messages
 
 let save join format out ~quiet =
-  Join.save join format ~path:out
+  Signals.for_readers (fun () -> Join.save join format ~path:out)
   |> Result.map (fun outcome ->
          if not quiet then
            Command.say "%s" (Atomic_file.wrote ~path:out outcome))
@@ -29,7 +29,8 @@ let join parts out wanted quiet () =
   let { Band.width; height; _ } = Join.whole join in
   or_write_error (Picture_file.check_format format ~width ~height);
   let written =
-    if to_output then Join.output join format stdout
+    if to_output then
+      Signals.for_readers (fun () -> Join.output join format stdout)
     else save join format out ~quiet
   in
   match written with

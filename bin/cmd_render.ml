@@ -59,10 +59,13 @@ let write_to_file format path band picture =
   | Some band -> Band_writer.save format ~path band picture
 
 let write options format target band picture =
+  let written write =
+    or_write_error (Signals.for_readers (fun () -> write band picture))
+  in
   match target with
-  | Standard_output -> or_write_error (write_to_output format band picture)
+  | Standard_output -> written (write_to_output format)
   | File path ->
-      let outcome = or_write_error (write_to_file format path band picture) in
+      let outcome = written (write_to_file format path) in
       if not options.quiet then
         Command.say "%s" (Atomic_file.wrote ~path outcome)
 
@@ -243,7 +246,13 @@ let command term =
       `S Manpage.s_description;
       `P
         "Renders $(i,SCENE) and writes the picture to a file, which appears \
-         whole or not at all.";
+         whole or not at all. What is known to fail is told before there is \
+         any work.";
+      `P
+        "A file that cannot be replaced, such as a mount point or one in a \
+         folder that may not be written to, gets the finished picture copied \
+         over it, which is told. A pipe, a device and what is open, such as \
+         $(b,/dev/fd/3), are written through: what is there stays.";
       `P
         "While it works, and if standard error is a terminal, it shows how \
          far it is and how long the rest will take.";

@@ -7,6 +7,9 @@ let failed = Cmdliner.Cmd.Exit.internal_error
 let interrupted = 130
 let hung_up = 129
 let terminated = 143
+let quit = 131
+let out_of_time = 152
+let unread = 141
 
 let infos =
   let info code doc = Cmdliner.Cmd.Exit.info code ~doc in
@@ -25,5 +28,8 @@ let infos =
       "if the terminal went away; a picture that is not whole is not written.";
     info terminated
       "if ended by a signal; a picture that is not whole is not written.";
+    info unread
+      "if the reader of its output went away: it dies of SIGPIPE, without a \
+       word, as other programs do.";
     info failed "if memory runs out, or on an error of raylab itself.";
   ]

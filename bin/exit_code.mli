@@ -28,5 +28,14 @@ val hung_up : int
 val terminated : int
 (** 143: ended by a signal to terminate *)
 
+val quit : int
+(** 131: asked to quit, by SIGQUIT *)
+
+val out_of_time : int
+(** 152: the limit of the time of the processor is reached *)
+
+val unread : int
+(** 141: the reader of the output went away *)
+
 val infos : Cmdliner.Cmd.Exit.info list
 (** [infos] is the section EXIT STATUS of the manual pages. *)

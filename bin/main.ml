@@ -81,8 +81,8 @@ let evaluate () =
 
 let () =
   hold_places ();
-  (* a reader that goes away is an error of writing, told as one *)
-  Sys.set_signal Sys.sigpipe Signal_ignore;
-  (* and so is a file that may not grow: see ulimit -f *)
+  (* a file that may not grow is an error of writing: see ulimit -f *)
   Sys.set_signal Sys.sigxfsz Signal_ignore;
-  exit (Signals.cleaning Output.remove_temporary_files evaluate)
+  exit
+    (Signals.cleaning Output.remove_temporary_files (fun () ->
+         Signals.for_readers evaluate))

@@ -3,6 +3,8 @@ let ending =
     (Sys.sigint, Exit_code.interrupted);
     (Sys.sighup, Exit_code.hung_up);
     (Sys.sigterm, Exit_code.terminated);
+    (Sys.sigquit, Exit_code.quit);
+    (Sys.sigxcpu, Exit_code.out_of_time);
   ]
 
 let die (signal, code) =
@@ -46,3 +48,10 @@ let at_once f =
   let is_first_process = Unix.getpid () = 1 in
   if is_first_process then f ()
   else during f (fun (signal, _) -> change signal Signal_default)
+
+let with_closed_pipes behaviour f =
+  let before = Sys.signal Sys.sigpipe behaviour in
+  Fun.protect ~finally:(fun () -> Sys.set_signal Sys.sigpipe before) f
+
+let despite_readers f = with_closed_pipes Signal_ignore f
+let for_readers f = with_closed_pipes Signal_default f

@@ -90,6 +90,10 @@ let submit_text job =
 cd -- "$(dirname -- "$0")" || exit
 bands=%d
 
+# Nobody needs to read what is said: both jobs are submitted all the same.
+trap '' PIPE
+say() { echo "$@" 2>/dev/null || true; }
+
 # Ranges of missing bands, such as 1-5,8: a command line has room for few names.
 missing='' lowest='' last=0
 for ((band = 1; band <= bands; band++)); do
@@ -115,12 +119,12 @@ if [ -n "$missing" ]; then
   fi
   job=$(sbatch --parsable --array="$missing" bands.sbatch) || exit
   job=${job%%%%;*} # the name of a cluster may follow
-  echo "job $job renders bands $missing"
+  say "job $job renders bands $missing"
   # after failures as well: it says which rows are missing
   after=(--dependency="afterany:$job")
 fi
 job=$(sbatch --parsable "${after[@]}" join.sbatch) || exit
-echo "job ${job%%%%;*} joins them"
+say "job ${job%%%%;*} joins them"
 |}
     job.bands
 

@@ -63,18 +63,65 @@ A file can be called "-".
   $ cp sky.scene ./-
   $ raylab render ./- -o - | cmp - sky.bmp
 
-A reader that does not want all of the picture ends the run with an error, not
-with a signal. The picture must be larger than what a pipe holds.
+A reader that does not want all of the picture ends the run as it ends that of
+other programs: it dies of SIGPIPE, quietly, also if that was ignored before. The
+picture must be larger than what a pipe holds.
 
-  $ { raylab render sky.scene --size 640x320 -o - 2> err; echo $? > code; } |
-  >   head -c 1
-  B
-  $ cat code err
-  2
-  raylab: standard output: Broken pipe
+  $ unread () {
+  >   sigpipe=$1; shift
+  >   { env --$sigpipe-signal=PIPE raylab "$@" 2> err; echo $? > code; } |
+  >     head -c 1 > start
+  >   cat code err
+  > }
+  $ large='sky.scene --size 640x320'
+  $ unread default render $large -o -
+  141
+  $ unread ignore render $large -o -
+  141
+  $ unread default render $large --rows 0-319 -o /dev/stdout
+  141
 
-So do a closed standard output, and a full one. There may be scene errors to
-tell all the same.
+So it is with all that can be read, and with any pipe.
+
+  $ raylab render $large --rows 0-319 -q -o band.ppm
+  $ unread default join band.ppm -o -
+  141
+  $ is_gone () {
+  >   bash -c 'exec 5> >(:); wait $!; "$@" >&5 2> err; echo $? $(cat err)' - "$@"
+  > }
+  $ is_gone raylab explain sky.scene 1,0
+  141
+  $ is_gone raylab explain sky.scene 1,0 --json
+  141
+  $ is_gone raylab explain sky.scene 1,0 --steps
+  141
+  $ is_gone raylab explain sky.scene 1,0 --svg -
+  141
+  $ is_gone raylab explain sky.scene 1,0 --svg /dev/fd/5
+  141
+  $ is_gone raylab render sky.scene -o /dev/fd/5
+  141
+  $ is_gone raylab --version
+  141
+  $ is_gone raylab render --help=plain
+  141
+  $ echo 'why 1 0;;' > words
+  $ is_gone raylab repl sky.scene < words
+  141
+  $ mkfifo unread
+  $ : < unread & is_gone raylab render $large -o unread; wait
+  141
+
+A message that nobody reads is not missed, and the work is done.
+
+  $ is_gone sh -c 'raylab render sky.scene -o d.bmp 2>&1'
+  0
+  $ cmp d.bmp sky.bmp
+  $ is_gone sh -c 'raylab check missing.scene 2>&1'
+  1
+
+A closed standard output, and a full one, are errors. There may be scene errors
+to tell all the same.
 
   $ raylab render sky.scene -o - >&-
   raylab: standard output: Bad file descriptor

@@ -104,8 +104,9 @@ is whole.
 Ended during the write, it leaves nothing else there.
 
   $ rm -f killed/.raylab*
-  $ for signal in INT TERM; do
-  >   env --default-signal=INT ./raylab render sky.scene -q --size 6000x6000 \
+  $ ulimit -c 0
+  $ for signal in INT TERM QUIT XCPU; do
+  >   env --default-signal ./raylab render sky.scene -q --size 6000x6000 \
   >     -o killed/old.ppm & pid=$!
   >   await_part killed; kill -$signal $pid; wait $pid 2> /dev/null; echo "[$?]"
   >   ls -A killed; cat killed/old.ppm
@@ -114,6 +115,12 @@ Ended during the write, it leaves nothing else there.
   old.ppm
   older
   [143]
+  old.ppm
+  older
+  [131]
+  old.ppm
+  older
+  [152]
   old.ppm
   older
 
