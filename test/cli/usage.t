@@ -325,6 +325,9 @@ Help and version go to standard output. A version is no place-holder.
          130 if interrupted by Ctrl-C; a picture that is not whole is not
              written.
   
+         141 if the reader of its output went away: it dies of SIGPIPE, without
+             a word, as other programs do.
+  
          143 if ended by a signal; a picture that is not whole is not written.
   
   SEE ALSO
@@ -339,7 +342,12 @@ Help and version go to standard output. A version is no place-holder.
   
   DESCRIPTION
          Renders SCENE and writes the picture to a file, which appears whole or
-         not at all.
+         not at all. What is known to fail is told before there is any work.
+  
+         A file that cannot be replaced, such as a mount point or one in a
+         folder that may not be written to, gets the finished picture copied
+         over it, which is told. A pipe, a device and what is open, such as
+         /dev/fd/3, are written through: what is there stays.
   
          While it works, and if standard error is a terminal, it shows how far
          it is and how long the rest will take.
@@ -421,6 +429,9 @@ Help and version go to standard output. A version is no place-holder.
          130 if interrupted by Ctrl-C; a picture that is not whole is not
              written.
   
+         141 if the reader of its output went away: it dies of SIGPIPE, without
+             a word, as other programs do.
+  
          143 if ended by a signal; a picture that is not whole is not written.
   
   SEE ALSO
@@ -472,6 +483,9 @@ Help and version go to standard output. A version is no place-holder.
   
          130 if interrupted by Ctrl-C; a picture that is not whole is not
              written.
+  
+         141 if the reader of its output went away: it dies of SIGPIPE, without
+             a word, as other programs do.
   
          143 if ended by a signal; a picture that is not whole is not written.
   
