@@ -103,7 +103,7 @@ let cmd =
         "A click explains a pixel, on standard output as $(b,raylab explain) \
          does, and draws the path of its rays over the picture. These keys do \
          something while the window has the focus:";
-      `Pre Key.help;
+      `Pre Raylab_viewer.Key.help;
       `P "Without a display it says so, and the exit status is 2.";
     ]
   in

@@ -45,7 +45,7 @@ let source ?out path ~load =
     | Error text -> text
   in
   let name = Filename.basename (Scene_path.name path) in
-  { Session.name; load; can_save; save }
+  { View.name; load; can_save; save }
 
 let on_loss () = Unix._exit Exit_code.ok
 

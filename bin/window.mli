@@ -17,7 +17,7 @@ val source :
   ?out:string ->
   string ->
   load:(unit -> (Scene.t, string) result) ->
-  Session.source
+  View.source
 (** [source ~out path ~load] loads the scene by [load], and saves the picture
     to [out], by default beside [path] as BMP. *)
 
@@ -30,7 +30,7 @@ val show :
   ?rows:Render.rows ->
   ?watch:Watch.t ->
   output:out_channel ->
-  Session.source ->
+  View.source ->
   View.first ->
   (unit, string) result
 (** [show ~output source first] is {!Raylab_window.View.run}, with what was

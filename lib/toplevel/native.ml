@@ -141,7 +141,7 @@ let show_here ~name ~out scene =
   in
   let load () = Ok scene
   and can_save () = Atomic_file.check ~path:out ~bytes:1 in
-  let source = { Session.name; load; can_save; save } in
+  let source = { View.name; load; can_save; save } in
   let terminal = Terminal.make stdout ~tell:prerr_endline in
   Result.iter_error prerr_endline (View.run ~terminal source (Scene scene))
 

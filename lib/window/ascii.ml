@@ -11,26 +11,3 @@ let of_utf_8 text =
   in
   add 0;
   Buffer.contents buffer
-
-(* at blanks, where there are any *)
-let rec break columns line =
-  let length = String.length line in
-  if length <= columns then [ line ]
-  else
-    let first, rest =
-      match String.rindex_from_opt line columns ' ' with
-      | Some blank when blank > 0 -> (blank, blank + 1)
-      | _ -> (columns, columns)
-    in
-    String.sub line 0 first
-    :: break columns (String.sub line rest (length - rest))
-
-let wrap ~columns ~rows text =
-  if columns < 1 || rows < 1 then []
-  else
-    let lines =
-      List.concat_map (break columns)
-        (String.split_on_char '\n' (of_utf_8 text))
-    in
-    if List.compare_length_with lines rows <= 0 then lines
-    else List.filteri (fun k _ -> k < rows - 1) lines @ [ "..." ]

@@ -1,3 +1,4 @@
+open Raylab_viewer
 module G = Graphics
 
 exception Gone
@@ -46,6 +47,7 @@ let open_ ~on_loss ~title ~width ~height =
   if !window_was_lost then
     Error "the display was lost, and cannot be opened again by this process"
   else
+    let title = Ascii.of_utf_8 title in
     try
       G.set_window_title title;
       G.open_graph (Printf.sprintf " %dx%d" width height);
@@ -80,6 +82,7 @@ let resize canvas ~width ~height =
   guard canvas (fun () -> G.resize_window width height)
 
 let set_title canvas title =
+  let title = Ascii.of_utf_8 title in
   if title <> canvas.title then
     guard canvas (fun () ->
         canvas.title <- title;

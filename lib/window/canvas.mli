@@ -5,6 +5,7 @@
     are [0xRRGGBB]. What is drawn is seen after {!show}. *)
 
 open Raylab_drawing
+open Raylab_viewer
 
 type t
 (** The type for windows. There is one at a time. *)

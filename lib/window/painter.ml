@@ -1,15 +1,6 @@
 open Raylab_scene
 open Raylab_drawing
-
-let background = 0x202428
-let white = 0xffffff
-
-let picture canvas raster look { Box.top; height; _ } =
-  Canvas.paint canvas ~left:0 ~top (Raster.rows raster look ~top ~height)
-
-let nothing canvas = Canvas.fill canvas ~color:background
-
-(* {1 Drawings} *)
+open Raylab_viewer
 
 let nearest x = int_of_float (Float.round x)
 
@@ -81,20 +72,21 @@ let mark canvas : Drawing.mark -> unit = function
 
 let drawing canvas = List.iter (mark canvas)
 
-(* {1 Messages} *)
+(* {1 The viewer} *)
 
-let message canvas layout text =
-  let { Box.width; height; _ } = Layout.window layout in
-  let across, down = Canvas.text_size canvas "X" in
-  let margin = 10 and down = down + 2 in
-  let lines =
-    Ascii.wrap text
-      ~columns:((width - (2 * margin)) / Int.max 1 across)
-      ~rows:((height - (2 * margin)) / down)
-  in
-  List.iteri
-    (fun k line ->
-      Canvas.text canvas ~color:white ~left:margin
-        ~top:(margin + (k * down))
-        line)
-    lines
+let text_size canvas words =
+  let width, height = Canvas.text_size canvas (Ascii.of_utf_8 words) in
+  (float_of_int width, float_of_int height)
+
+let image canvas { Viewer.box; rows; over } =
+  (match rows with
+  | None -> Canvas.fill canvas ~color:Shown.background box
+  | Some rows -> Canvas.paint canvas ~left:0 ~top:box.top rows);
+  drawing canvas over;
+  Canvas.show canvas
+
+let viewer canvas v =
+  Canvas.set_title canvas (Viewer.title v);
+  let v, changed = Viewer.draw ~text_size:(text_size canvas) v in
+  Option.iter (image canvas) changed;
+  v

@@ -1,6 +1,14 @@
 open Raylab_parallel
 open Raylab_scene
 open Raylab_tracer
+open Raylab_viewer
+
+type source = {
+  name : string;
+  load : unit -> (Scene.t, string) result;
+  can_save : unit -> (unit, string) result;
+  save : Picture.t -> string;
+}
 
 type first =
   | Scene of Scene.t
@@ -21,13 +29,14 @@ let picture_size rows = function
       in
       (width, height)
 
-let begin_with session rows = function
-  | Scene _ | Error _ -> Session.render session
+let first_event rows = function
+  | Scene _ | Error _ -> Viewer.Changed
   | Rendered { scene; picture; seconds } ->
       let first_row =
         match rows with None -> 0 | Some { Render.first; _ } -> first
       in
-      Session.show_whole session scene picture ~first_row seconds
+      let refinement = Refinement.complete picture in
+      Viewer.Rendered ({ scene; refinement; first_row }, seconds)
 
 (* The first time [load] need not read what is known already. *)
 let once_known first load =
@@ -39,66 +48,53 @@ let once_known first load =
 
 let seconds_between_looks = 0.1
 
-(* [every seconds f] is a function that is [f] at most once in [seconds], and
-   else does nothing. *)
+(* [every seconds f] is [f] asked at most once in [seconds], and else [false]. *)
 let every seconds f =
   let last = ref neg_infinity in
   fun () ->
     let now = Unix.gettimeofday () in
-    if Float.abs (now -. !last) >= seconds then (
-      last := now;
-      f ())
+    Float.abs (now -. !last) >= seconds
+    &&
+    (last := now;
+     f ())
 
-let serve session canvas watch ~begin_ =
-  let look =
-    every seconds_between_looks (fun () ->
-        match watch with
-        | Some watch when Watch.has_changed watch -> Session.render session
-        | _ -> ())
+let shell ~domains ?rows ?watch ~terminal { load; can_save; save; _ } first
+    canvas =
+  let known =
+    match first with
+    | Scene scene -> Some (Ok scene)
+    | Error message -> Some (Error message)
+    | Rendered _ -> None
   in
-  let rec loop () =
-    look ();
-    Session.step session;
-    match Canvas.next canvas ~seconds:(Session.pause session) with
-    | None -> loop ()
-    | Some (Click (x, y)) ->
-        Session.click session (x, y);
-        loop ()
-    | Some (Key c) -> (
-        match Option.map (Session.key session) (Key.of_char c) with
-        | Some `Close -> ()
-        | Some `Go_on | None -> loop ())
-  in
-  try
-    begin_ ();
-    loop ()
-  with Canvas.Gone -> ()
+  let load = once_known known load in
+  let start () =
+    Rendering.start ~domains ?rows load ~clock:Unix.gettimeofday
+      ~enter:Tick.not_here
+  and has_changed () = Option.fold watch ~none:false ~some:Watch.has_changed in
+  {
+    Shell.canvas;
+    terminal;
+    renderer = Renderer.make start;
+    can_save;
+    save;
+    has_changed = every seconds_between_looks has_changed;
+  }
 
 let run ?(domains = Parallel.default_domains ()) ?rows ?watch
-    ?(on_loss = ignore) ~terminal (source : Session.source) first =
+    ?(on_loss = ignore) ~terminal ({ name; _ } as source) first =
   let screen = Screen.size () in
   let picture = picture_size rows first in
-  let width, height = Layout.window_size ~screen picture in
-  match
-    Canvas.open_ ~on_loss ~title:(Ascii.of_utf_8 source.name) ~width ~height
-  with
+  let ((width, height) as window) = Layout.window_size ~screen picture in
+  match Canvas.open_ ~on_loss ~title:name ~width ~height with
   | Error _ as error -> error
   | Ok canvas ->
-      let known =
-        match first with
-        | Scene scene -> Some (Ok scene)
-        | Error message -> Some (Error message)
-        | Rendered _ -> None
-      in
-      let source = { source with load = once_known known source.load } in
-      let session =
-        Session.make ~domains ?rows ~terminal ~screen ~picture source canvas
-      in
+      let shell = shell ~domains ?rows ?watch ~terminal source first canvas in
       Fun.protect
         ~finally:(fun () ->
           Canvas.close canvas;
-          Session.finish session)
+          Renderer.finish shell.renderer)
         (fun () ->
-          serve session canvas watch ~begin_:(fun () ->
-              begin_with session rows first));
+          Shell.serve shell
+            (Viewer.make ~name ~screen ~window ~picture)
+            (first_event rows first));
       Ok ()

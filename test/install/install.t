@@ -62,7 +62,7 @@ A project of somebody else's renders with the libraries. The core needs little.
   raylab.parallel
   raylab.scene
   raylab.tracer
-  $ ocamlfind query -recursive -format %p raylab.language raylab.drawing |
+  $ ocamlfind query -recursive -format %p raylab.language raylab.viewer |
   >   grep -E 'unix|thread|graphics|zip|utop'
   [1]
   $ mkdir other

@@ -1,6 +1,6 @@
 open Raylab_scene
 open Raylab_tracer
-open Raylab_window
+open Raylab_viewer
 
 let raster ~window ~picture =
   Raster.make (Layout.make ~window ~picture) ~background:7

@@ -1,4 +1,4 @@
-(** A rendering that goes on while the window is served.
+(** A rendering that goes on while a viewer is served.
 
     It reads the scene, makes it ready and fills the picture, all of it on
     domains other than the one that calls this. *)
@@ -18,10 +18,16 @@ type news =
   | Finished of float  (** after so many seconds; the picture is whole *)
 
 val start :
-  domains:int -> ?rows:Render.rows -> (unit -> (Scene.t, string) result) -> t
-(** [start ~domains ~rows load] renders what [load ()] is, on [domains]
-    domains, or one less if that is all that there are. If it has no such
-    [rows] all of it is rendered. *)
+  domains:int ->
+  ?rows:Render.rows ->
+  clock:(unit -> float) ->
+  enter:(unit -> unit) ->
+  (unit -> (Scene.t, string) result) ->
+  t
+(** [start ~domains ~rows ~clock ~enter load] renders what [load ()] is, on
+    [domains] domains, or one less if that is all that there are. If it has no
+    such [rows] all of it is rendered. [clock ()] is the time in seconds.
+    [enter ()] is called first, on the domain that then spawns the others. *)
 
 val news : t -> news list
 (** [news rendering] is what happened since the last question, in its order. *)

@@ -4,6 +4,7 @@ open Raylab_drawing
 
 type t = { scene : Trace.t; refinement : Refinement.t; first_row : int }
 
+let background = 0x202428
 let size shown = Refinement.size shown.refinement
 
 let look some =
@@ -20,7 +21,7 @@ let look some =
     | r :: _ -> Refinement.step r ~x ~y
   and color ~x ~y =
     match from_known some ~x ~y with
-    | [] -> Painter.background
+    | [] -> background
     | r :: _ -> Refinement.color r ~x ~y
   in
   { Raster.step; color }

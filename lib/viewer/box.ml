@@ -2,6 +2,7 @@ open Raylab_drawing
 
 type t = { left : int; top : int; width : int; height : int }
 
+let empty = { left = 0; top = 0; width = 0; height = 0 }
 let is_empty { width; height; _ } = width <= 0 || height <= 0
 
 let contains { left; top; width; height } (x, y) =

@@ -1,4 +1,4 @@
-open Raylab_window
+open Raylab_viewer
 
 let pp_box ppf { Box.left; top; width; height } =
   Format.fprintf ppf "%dx%d+%d+%d" width height left top

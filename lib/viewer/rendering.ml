@@ -27,8 +27,8 @@ let rows_of scene rows =
   | Some ({ Render.last; _ } as rows) when last <= all.last -> rows
   | _ -> all
 
-let work shared ~domains ?rows load =
-  let started = Unix.gettimeofday () in
+let work shared ~domains ?rows ~clock load =
+  let started = clock () in
   let stop () = Atomic.get shared.stopped in
   match load () with
   | Error message -> tell shared (Failed message)
@@ -42,10 +42,9 @@ let work shared ~domains ?rows load =
         Render.refine ~domains ~rows ~stop picture scene
           ~on_tile:(fun pass tile -> tell shared (Tile (pass, tile)))
       in
-      if not (stop ()) then
-        tell shared (Finished (Unix.gettimeofday () -. started))
+      if not (stop ()) then tell shared (Finished (clock () -. started))
 
-let start ~domains ?rows load =
+let start ~domains ?rows ~clock ~enter load =
   let shared =
     {
       unread = Atomic.make [];
@@ -56,10 +55,10 @@ let start ~domains ?rows load =
   (* one is the caller's *)
   let domains = Int.min domains (Parallel.max_domains - 1) in
   let run () =
-    Tick.not_here ();
+    enter ();
     Fun.protect
       ~finally:(fun () -> Atomic.set shared.over true)
-      (fun () -> work shared ~domains ?rows load)
+      (fun () -> work shared ~domains ?rows ~clock load)
   in
   { shared; domain = Domain.spawn run }
 

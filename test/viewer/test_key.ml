@@ -1,4 +1,4 @@
-open Raylab_window
+open Raylab_viewer
 
 let test_keys () =
   let keys =

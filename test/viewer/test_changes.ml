@@ -1,13 +1,13 @@
-open Raylab_window
+open Raylab_viewer
 
 (* what each of these sights of a file, at these times, is: a change or not *)
 let run sights =
   let _, changes =
     List.fold_left
       (fun (state, changes) (now, stamp) ->
-        let state, changed = Watch.step ~now stamp state in
+        let state, changed = Changes.step ~now stamp state in
         (state, changed :: changes))
-      (Watch.initial (Some "a"), [])
+      (Changes.initial (Some "a"), [])
       sights
   in
   List.rev changes
@@ -35,4 +35,4 @@ let test_steps () =
     [ false; true; false; false; true ]
     [ (0., None); (1.5, None); (3., None); (4., Some "a"); (5., Some "a") ]
 
-let suite = ("Watch", [ Alcotest.test_case "changes" `Quick test_steps ])
+let suite = ("Changes", [ Alcotest.test_case "changes" `Quick test_steps ])

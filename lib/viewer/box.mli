@@ -5,6 +5,9 @@ open Raylab_drawing
 type t = { left : int; top : int; width : int; height : int }
 (** The type for boxes, from the left and from the top. A box may be empty. *)
 
+val empty : t
+(** [empty] has no pixel. *)
+
 val is_empty : t -> bool
 (** [is_empty box] is whether [box] has no pixel. *)
 

@@ -14,10 +14,13 @@ type t = {
 val size : t -> int * int
 (** [size shown] is width and height. *)
 
+val background : int
+(** [background] is the colour of what shows nothing, as [0xRRGGBB]. *)
+
 val look : t list -> Raster.look
 (** [look some] is, at each pixel, that of the first of [some], which have the
-    same size, where something is known there; if there is none, that of
-    nothing. *)
+    same size, where something is known there; if there is none, the
+    {!background}. *)
 
 val explain : t -> int * int -> Explain.pixel
 (** [explain shown (x, y)] explains pixel [(x, y)] of [shown]. *)

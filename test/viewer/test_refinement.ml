@@ -1,6 +1,6 @@
 open Raylab_scene
 open Raylab_tracer
-open Raylab_window
+open Raylab_viewer
 
 (* small ones, and such for which the first pass is coarser than usual *)
 let size =

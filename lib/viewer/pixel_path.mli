@@ -1,0 +1,16 @@
+(** The path of a pixel that was clicked. *)
+
+open Raylab_tracer
+open Raylab_drawing
+
+type t = { pixel : int * int; overlay : Overlay.t; is_visible : bool }
+(** The type for such paths, which may be hidden for a while. *)
+
+val make : Shown.t -> int * int -> Explain.pixel -> is_visible:bool -> t
+(** [make shown pixel explanation ~is_visible] is the path of [explanation],
+    which is that of [pixel] of [shown]. *)
+
+val draw : text_size:(string -> float * float) -> Layout.t -> t -> Drawing.t
+(** [draw ~text_size layout path] is [path], if it is visible, over a picture
+    that is laid out so, with what its lines mean. [text_size] is as for
+    {!Legend.in_corner}. *)

@@ -1,0 +1,11 @@
+let () =
+  Alcotest.run "raylab.viewer"
+    [
+      Test_layout.suite;
+      Test_refinement.suite;
+      Test_raster.suite;
+      Test_message.suite;
+      Test_changes.suite;
+      Test_key.suite;
+      Test_steps.suite;
+    ]
