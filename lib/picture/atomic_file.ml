@@ -5,7 +5,8 @@ let wrote ~path = function
   | In_place reason ->
       Printf.sprintf
         "wrote %s by copying over what was there, for it cannot be replaced \
-         (%s). Had that failed, neither would be whole"
+         (%s). Had that failed, neither the older nor the new one would be \
+         whole"
         path reason
 
 let temporary = Temporary.in_use

@@ -87,8 +87,8 @@ let copy_over path file reason =
         Unix.fsync target
       with Unix.Unix_error (code, _, _) ->
         failed
-          "%s. It could only be copied over what was there (%s), and now \
-           neither is whole"
+          "%s. It could only be copied over what was there (%s), and neither \
+           the older nor the new one is whole now"
           (Unix.error_message code) reason);
   In_place reason
 

@@ -22,7 +22,8 @@ let check folder ~reason command =
   let before = inode () in
   let said = output command in
   Expect.contains "what it costs" ~part:("replaced (" ^ reason ^ ")") said;
-  Expect.contains "what it costs" ~part:"neither would be whole" said;
+  Expect.contains "what it costs"
+    ~part:"neither the older nor the new one would be whole" said;
   Alcotest.(check string) "written" "new" (Sample.read file);
   Alcotest.(check int) "it is the same file" before (inode ())
 
@@ -85,7 +86,8 @@ let test_torn folder =
   in
   let said = output save in
   Expect.contains "why" ~part:"place: No space left on device. " said;
-  Expect.contains "what it did" ~part:"now neither is whole" said;
+  Expect.contains "what it did"
+    ~part:"neither the older nor the new one is whole now" said;
   check_nothing_else inside place
 
 let a_file = {|mount --bind "$1" "$2"|}

@@ -45,14 +45,14 @@ files, where there must be room then; this is known before.
   $ mkdir tmp && chmod 777 tmp && chmod 666 locked/old.bmp
   $ ./raylab render sky.scene -q -o sky.bmp
   $ TMPDIR=$PWD/tmp as_nobody ./raylab render sky.scene -o locked/old.bmp
-  raylab: wrote locked/old.bmp by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither would be whole
+  raylab: wrote locked/old.bmp by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither the older nor the new one would be whole
   $ cmp sky.bmp locked/old.bmp
   $ TMPDIR=/missing as_nobody ./raylab render sky.scene -o locked/old.bmp
   raylab: locked/old.bmp: no file can be made in its folder (Permission denied), nor in /missing, the folder for temporary files (No such file or directory)
   [2]
   $ ln -s locked/old.bmp path.svg
   $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg path.svg > text
-  raylab: wrote path.svg by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither would be whole
+  raylab: wrote path.svg by copying over what was there, for it cannot be replaced (no file can be made in its folder: Permission denied). Had that failed, neither the older nor the new one would be whole
   $ TMPDIR=$PWD/tmp as_nobody ./raylab explain sky.scene 1,1 --svg - | cmp - locked/old.bmp
   $ ls -A locked tmp
   locked:
