@@ -13,4 +13,4 @@ val make : Shown.t -> int * int -> Explain.pixel -> is_visible:bool -> t
 val draw : text_size:(string -> float * float) -> Layout.t -> t -> Drawing.t
 (** [draw ~text_size layout path] is [path], if it is visible, over a picture
     that is laid out so, with what its lines mean. [text_size] is as for
-    {!Legend.in_corner}. *)
+    {!Raylab_drawing.Legend.in_corner}. *)
