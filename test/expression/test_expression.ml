@@ -1,0 +1,10 @@
+let () =
+  Alcotest.run "expression"
+    [
+      Test_exact.suite;
+      Test_degrees.suite;
+      Test_arc.suite;
+      Test_power.suite;
+      Test_cases.suite;
+      Test_libm.suite;
+    ]
