@@ -7,4 +7,8 @@ let () =
       Test_power.suite;
       Test_cases.suite;
       Test_libm.suite;
+      Test_hash.suite;
+      Test_noise.suite;
+      Test_range.suite;
+      Test_hsv.suite;
     ]

@@ -1,0 +1,2 @@
+val suite : unit Alcotest.test
+(** [suite] is the tests called Hsv. *)
