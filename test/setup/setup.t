@@ -63,9 +63,9 @@ Where apt has OCaml 5
   env DEBIAN_FRONTEND=noninteractive apt-get update
   env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   $ setup debian13 1000 sudo --dry-run --test
-  setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
+  setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs
   sudo env DEBIAN_FRONTEND=noninteractive apt-get update
-  sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
+  sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml nodejs
   $ setup testing 0 - --dry-run
   setup: to be installed by apt: ALL
   env DEBIAN_FRONTEND=noninteractive apt-get update
@@ -119,9 +119,9 @@ Nothing to do: no root, no network and no question.
   $ setup debian12 1000 -
   setup: everything is there already.
   $ setup debian13 0 - --dry-run --test
-  setup: to be installed by apt: libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
+  setup: to be installed by apt: libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs
   env DEBIAN_FRONTEND=noninteractive apt-get update
-  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc
+  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml nodejs
   $ : > installed
 
 Debian 12
@@ -287,9 +287,9 @@ Elsewhere
   opam install dune\>=3.17 graphics camlzip\>=1.12 cmdliner=1.3.0 yojson\>=2.0.0
   setup: to put dune on the PATH, run: eval $(opam env)
   $ setup fedora 1000 opam --dry-run --test --yes
-  setup: to be installed by opam: dune>=3.17 graphics camlzip>=1.12 cmdliner=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
-  opam install --yes dune\>=3.17 graphics camlzip\>=1.12 cmdliner=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc
-  setup: the tests need also, from the system: tmux, Xvfb, xdotool, ImageMagick, netpbm, gdk-pixbuf-pixdata, stb_image.h, Slurm (slurmctld and slurmd), munge, groff and mandoc.
+  setup: to be installed by opam: dune>=3.17 graphics camlzip>=1.12 cmdliner=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc js_of_ocaml-compiler
+  opam install --yes dune\>=3.17 graphics camlzip\>=1.12 cmdliner=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc js_of_ocaml-compiler
+  setup: the tests need also, from the system: tmux, Xvfb, xdotool, ImageMagick, netpbm, gdk-pixbuf-pixdata, stb_image.h, Slurm (slurmctld and slurmd), munge, groff, mandoc and node.
   setup: to put dune on the PATH, run: eval $(opam env)
   $ echo 'ocaml 4.14.2' > switch
   $ setup fedora 1000 opam --dry-run
