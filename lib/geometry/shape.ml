@@ -5,6 +5,16 @@ let sphere ~centre ~radius = Sphere (Sphere.make ~centre ~radius)
 let plane ~point ~normal =
   Plane (Plane.make ~point ~normal:(Direction.of_vec3_exn normal))
 
+let transformed change = function
+  | Sphere s ->
+      sphere
+        ~centre:(Similarity.point change (Sphere.centre s))
+        ~radius:(Similarity.factor change *. s.radius)
+  | Plane p ->
+      plane
+        ~point:(Similarity.point change p.point)
+        ~normal:(Similarity.direction change (p.normal :> Vec3.t))
+
 (* {1 What is hit} *)
 
 let box = function Sphere s -> Some (Sphere.box s) | Plane _ -> None

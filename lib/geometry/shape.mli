@@ -18,6 +18,11 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
     Raises [Invalid_argument] if a coordinate is not finite or [normal] is the
     zero vector. *)
 
+val transformed : Similarity.t -> t -> t
+(** [transformed change shape] is [shape] as [change] puts it.
+
+    Raises [Invalid_argument] where a number is no longer what it must be. *)
+
 (** {1 What is hit}
 
     All on registers, for inner loops: nothing here allocates. *)

@@ -1,105 +1,111 @@
 open Raylab_geometry
 open Raylab_scene
+open Raylab_expression
 
-(* {1 Finding every error} *)
+type t = { findings : Findings.t; mutable failed : bool }
+type frame = Thing.t Code.frame
+type 'a parameter = frame -> 'a
 
-let check_light words { Syntax.source; intensity; color; _ } =
-  Check_words.skip_keyword words;
-  Check_words.number words Non_negative "the intensity" intensity;
-  Check_words.color words "the light's colour" color;
-  match source with
-  | Directional direction ->
-      Check_words.direction words "the direction" direction
-  | Spherical position ->
-      Check_words.vector words "the light's position" position
+let start findings = { findings; failed = false }
+let findings check = check.findings
 
-let check_shape words shape =
-  Check_words.skip_keyword words;
-  match shape with
-  | Syntax.Sphere { centre; radius } ->
-      Check_words.vector words "the centre" centre;
-      Check_words.number words Positive "the radius" radius
-  | Plane { point; normal } ->
-      Check_words.vector words "the point" point;
-      Check_words.direction words "the normal" normal
-
-let too_deep = "mixes are nested deeper than 1,000"
-
-let rec check_surface words nesting = function
-  | Syntax.Mixed _ when nesting = Surface.max_nesting ->
-      Check_words.refuse words too_deep
-        ~advice:
-          "a mix in a mix may be written as one, with its weights multiplied"
-  | surface -> (
-      Check_words.skip_keyword words;
-      match surface with
-      | Reflective -> ()
-      | Diffusive color | Luminous color ->
-          Check_words.color words "the surface's colour" color
-      | Mixed parts -> List.iter (check_part words (nesting + 1)) parts)
-
-and check_part words nesting (weight, surface) =
-  Check_words.number words Non_negative "the weight" weight;
-  check_surface words nesting surface
-
-let check_object words { Syntax.shape; surface; _ } =
-  check_shape words shape;
-  check_surface words 0 surface
-
-(* {1 Building}
-
-   The library checks what it is given, by the same rules; where it refuses, the
-   checks above say what is wrong, and where. *)
-
-let light { Syntax.source; intensity; color; line; _ } =
-  Light.with_line (Some line)
-    (match source with
-    | Directional direction -> Light.directional ~intensity ~color ~direction
-    | Spherical position -> Light.spherical ~intensity ~color ~position)
-
-let shape = function
-  | Syntax.Sphere { centre; radius } -> Shape.sphere ~centre ~radius
-  | Plane { point; normal } -> Shape.plane ~point ~normal
-
-let rec surface nesting = function
-  | Syntax.Diffusive c -> Surface.diffusive c
-  | Reflective -> Surface.reflective
-  | Luminous c -> Surface.luminous c
-  | Mixed _ when nesting = Surface.max_nesting -> invalid_arg too_deep
-  | Mixed parts ->
-      let part (weight, inner) = (weight, surface (nesting + 1) inner) in
-      Surface.mixed (List.map part parts)
-
-let object_ { Syntax.shape = s; surface = f; line; _ } =
-  Object.make ~line (shape s) (surface 0 f)
-
-(* [build_all findings build check start items] is what [build] makes of each
-   item. [check] tells what is wrong with one that it refuses. *)
-let build_all findings build check start items =
-  let build_or_report item =
-    match build item with
-    | built -> Some built
-    | exception Invalid_argument _ ->
-        check (Check_words.start findings (start item)) item;
-        None
+let attempt check (frame : frame) default f =
+  let run = frame.run in
+  let around = run.stack and depth = run.budget.depth in
+  let fail () =
+    run.stack <- around;
+    run.budget.depth <- depth;
+    check.failed <- true;
+    default
   in
-  List.filter_map build_or_report items
+  match f () with
+  | value -> value
+  | exception Fault.Found ({ ends = false; _ } as fault) ->
+      Findings.fault check.findings fault run.stack;
+      fail ()
+  | exception Fault.Known -> fail ()
 
-let scene source ({ Syntax.lights; objects; _ } as syntax) =
-  let findings = Findings.start source in
-  Check_header.check findings syntax;
-  let lights =
-    build_all findings light check_light (fun l -> l.Syntax.start) lights
+let whole check build =
+  let before = check.failed in
+  check.failed <- false;
+  match build () with
+  | built ->
+      let failed = check.failed in
+      check.failed <- before;
+      if failed then raise_notrace Fault.Known else built
+  | exception e ->
+      check.failed <- before;
+      raise e
+
+(* {1 Rules} *)
+
+let shown check (e : Expression.t) x =
+  match e.desc with
+  | Number _ -> Source.quote (Findings.source check.findings) e.span
+  | _ ->
+      Printf.sprintf "%s, which is %s" (Expression.to_string e)
+        (Format.asprintf "%a" Number.pp x)
+
+let require check rule name (e : Expression.t) x =
+  match Number.broken rule x with
+  | None -> ()
+  | Some problem ->
+      Fault.fail e.span
+        (Printf.sprintf "%s %s, not %s" name problem (shown check e x))
+
+let value check scope e =
+  let code = Code.compile scope e in
+  fun frame -> attempt check frame Value.Undefined (fun () -> code frame)
+
+let number check scope rule name e =
+  let code = Code.number scope e in
+  fun frame ->
+    attempt check frame 1. (fun () ->
+        let x = code frame in
+        require check rule name e x;
+        x)
+
+let part name part = Printf.sprintf "the %s of %s" part name
+
+(* Three numbers, each with its own place if it has one. *)
+let three check scope rule name (a, b, c) (e : Expression.t) =
+  match e.desc with
+  | Triple (x, y, z) | List [ x; y; z ] ->
+      let number label e = number check scope rule (part name label) e in
+      let x = number a x and y = number b y and z = number c z in
+      fun frame ->
+        let x = x frame in
+        let y = y frame in
+        let z = z frame in
+        Vec3.make x y z
+  | _ ->
+      let code = Code.compile scope e in
+      fun frame ->
+        attempt check frame (Vec3.make 1. 1. 1.) (fun () ->
+            let v = Operation.vector frame.Code.run e (code frame) in
+            require check rule (part name a) e v.x;
+            require check rule (part name b) e v.y;
+            require check rule (part name c) e v.z;
+            v)
+
+let vector check scope name e =
+  three check scope Finite name ("x", "y", "z") e
+
+let direction check scope name (e : Expression.t) =
+  let vector = vector check scope name e in
+  fun frame ->
+    let v = vector frame in
+    attempt check frame v (fun () ->
+        if Vec3.equal v Vec3.zero then
+          Fault.fail e.span
+            (name ^ " must not be the zero vector")
+            ~advice:"give at least one number that is not 0, such as 0 1 0"
+        else v)
+
+let color check scope name e =
+  let channels =
+    three check scope Non_negative name ("red", "green", "blue") e
   in
-  let objects =
-    build_all findings object_ check_object (fun o -> o.Syntax.start) objects
-  in
-  match Findings.errors findings with
-  | [] ->
-      Ok
-        (Scene.make
-           (Check_header.camera syntax)
-           ~lights ~objects
-           ?background:(Check_header.background syntax)
-           ?ray_depth:(Check_header.ray_depth syntax))
-  | errors -> Error errors
+  fun frame ->
+    let { Vec3.x; y; z } = channels frame in
+    Color.make x y z

@@ -1,19 +1,22 @@
-(** The header of a scene: which settings it must have, and their limits. *)
+(** Settings of the header, evaluated and checked. *)
 
+open Raylab_source
 open Raylab_scene
+open Raylab_expression
 
-val check : Findings.t -> Syntax.t -> unit
-(** [check findings syntax] adds what is wrong with the header. *)
+type t
+(** The type for headers as far as they are read. *)
 
-(** {1 What a header says}
+val start : Check.t -> t
+(** [start check] has no setting. *)
 
-    These are for a header in which {!check} has found nothing. *)
+val set : t -> Scope.t -> Syntax.setting -> Check.frame -> unit
+(** [set header scope setting frame] evaluates [setting], which must not have
+    been set before. *)
 
-val camera : Syntax.t -> Camera.t
-(** [camera syntax] is the camera that it describes. *)
+val finish : t -> Span.t -> unit
+(** [finish header stop] tells at [stop] which settings are missing. *)
 
-val background : Syntax.t -> Color.t option
-(** [background syntax] is the background, if it is set. *)
-
-val ray_depth : Syntax.t -> int option
-(** [ray_depth syntax] is how many rays a chain may have, if it is set. *)
+val scene : t -> lights:Light.t list -> objects:Object.t list -> Scene.t
+(** [scene header ~lights ~objects] is the scene of this header. Nothing may
+    have been wrong with it. *)

@@ -1,13 +1,23 @@
-open Raylab_geometry
+open Raylab_source
+open Raylab_expression
 
 type t = {
   source : Source.t;
   mutable found : (Span.t * Scene_error.t) list;
   mutable count : int;
   mutable first_untold : Span.t option;
+  faults : (Span.t * string, unit) Hashtbl.t;
 }
 
-let start source = { source; found = []; count = 0; first_untold = None }
+let start source =
+  {
+    source;
+    found = [];
+    count = 0;
+    first_untold = None;
+    faults = Hashtbl.create 7;
+  }
+
 let source findings = findings.source
 
 (* More help nobody, and a hostile file has as many as would fill memory. *)
@@ -20,12 +30,40 @@ let error findings span ?advice message =
     findings.found <- (span, error) :: findings.found
   else if findings.first_untold = None then findings.first_untold <- Some span
 
-let check_value findings rule name span value =
-  match Number.broken rule value with
-  | None -> ()
-  | Some problem ->
-      let found = Source.quote findings.source span in
-      error findings span (Printf.sprintf "%s %s, not %s" name problem found)
+let most_frames = 8
+
+let frame source frame =
+  let show = Value.to_string Thing.describe in
+  let line at = (Source.place source at).line in
+  match (frame : _ Value.frame) with
+  | Call { name; arguments; at } ->
+      let argument (label, value) =
+        Printf.sprintf "%s: %s" label (show value)
+      in
+      Printf.sprintf "in %s(%s), called in line %d" name
+        (String.concat ", " (List.map argument arguments))
+        (line at)
+  | Round { name; value; at } ->
+      Printf.sprintf "with %s = %s, line %d" name (show value) (line at)
+
+let trace source stack =
+  let count = List.length stack in
+  let shown = List.filteri (fun k _ -> k < most_frames) stack in
+  let more =
+    if count > most_frames then
+      [ Printf.sprintf "and %d more around these" (count - most_frames) ]
+    else []
+  in
+  List.map (frame source) shown @ more
+
+let fault findings { Fault.span; message; advice; _ } stack =
+  (* one mistake is not told of each round *)
+  let place = (span, match stack with [] -> message | _ -> "") in
+  if not (Hashtbl.mem findings.faults place) then (
+    Hashtbl.add findings.faults place ();
+    let lines = trace findings.source stack in
+    let lines = if advice = "" then lines else lines @ [ advice ] in
+    error findings span message ~advice:(String.concat "\n" lines))
 
 let untold findings =
   let tell span =

@@ -1,6 +1,6 @@
 (** What is wrong with a scene, as far as it has been found. *)
 
-open Raylab_geometry
+open Raylab_source
 
 type t
 (** The type for findings in one source. *)
@@ -14,9 +14,10 @@ val source : t -> Source.t
 val error : t -> Span.t -> ?advice:string -> string -> unit
 (** [error findings span ~advice message] adds an error. *)
 
-val check_value : t -> Number.rule -> string -> Span.t -> float -> unit
-(** [check_value findings rule name span value] adds an error if [value], which
-    was read from [span] and is called [name], breaks [rule]. *)
+val fault : t -> Raylab_expression.Fault.t -> Thing.t Raylab_expression.Value.frame list -> unit
+(** [fault findings fault stack] adds what an evaluation found, and the calls
+    and rounds that led there. The same fault in a later round or call is not
+    told again. *)
 
 val errors : t -> Scene_error.t list
 (** [errors findings] is all errors, in the order of the text. If there are

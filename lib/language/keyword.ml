@@ -1,64 +1,211 @@
 open Raylab_scene
 
-let keywords : (string * Parser.token) list =
+type role =
+  | Setting
+  | Heading
+  | Light
+  | Shape
+  | Surface
+  | Grouping
+  | Modifier
+  | Structure
+  | Operator
+  | Color
+
+type parameter = { noun : string; expected : string }
+
+type t = {
+  word : string;
+  token : Parser.token;
+  symbol : string;
+  role : role;
+  parameters : parameter list;
+  doc : string;
+}
+
+let row role word token symbol parameters doc =
+  let parameter (noun, expected) = { noun; expected } in
+  { word; token; symbol; role; doc;
+    parameters = List.map parameter parameters }
+[@@ocamlformat "disable"]
+
+let settings : t list =
+  let row = row Setting in
+  let background =
+    ("colour", "the background colour after bcolor: three numbers (red green \
+                blue) or a name such\nas red or white")
+  in
   [
-    ("imWidth", IM_WIDTH);
-    ("imHeight", IM_HEIGHT);
-    ("canvWidth", CANV_WIDTH);
-    ("canvHeight", CANV_HEIGHT);
-    ("depth", DEPTH);
-    ("bcolor", BCOLOR);
-    ("bgcolor", BCOLOR);
-    ("raydepth", RAYDEPTH);
-    ("lights", LIGHTS);
-    ("directional", DIRECTIONAL);
-    ("spherical", SPHERICAL);
-    ("objects", OBJECTS);
-    ("sphere", SPHERE);
-    ("plane", PLANE);
-    ("diffusive", DIFFUSIVE);
-    ("reflective", REFLECTIVE);
-    ("luminous", LUMINOUS);
-    ("mixed", MIXED);
+    row "imWidth" IM_WIDTH "IM_WIDTH"
+      [ ("number", "the width of the picture in pixels after imWidth, such as \
+                    640") ]
+      "the width of the picture in pixels";
+    row "imHeight" IM_HEIGHT "IM_HEIGHT"
+      [ ("number", "the height of the picture in pixels after imHeight, such \
+                    as 480") ]
+      "the height of the picture in pixels";
+    row "canvWidth" CANV_WIDTH "CANV_WIDTH"
+      [ ("number", "the width of the canvas after canvWidth, such as 4") ]
+      "the width of the canvas";
+    row "canvHeight" CANV_HEIGHT "CANV_HEIGHT"
+      [ ("number", "the height of the canvas after canvHeight, such as 3") ]
+      "the height of the canvas";
+    row "depth" DEPTH "DEPTH"
+      [ ("number", "the distance from the eye to the canvas after depth, such \
+                    as 4") ]
+      "the distance from the eye to the canvas";
+    row "bcolor" BCOLOR "BCOLOR" [ background ] "the colour of the background";
+    row "bgcolor" BCOLOR "BCOLOR" [ background ] "the same as bcolor";
+    row "raydepth" RAYDEPTH "RAYDEPTH"
+      [ ("number", "the number of rays in a chain after raydepth, such as 4") ]
+      "how many rays are in a chain at most";
+  ]
+[@@ocamlformat "disable"]
+
+let lights : t list =
+  let row = row Light in
+  let color =
+    ("colour", "the colour of the light: three numbers (red green blue) or a \
+                name\nsuch as red or white")
+  in
+  [
+    row "directional" DIRECTIONAL "DIRECTIONAL"
+      [ ("number", "the intensity of the light: directional INTENSITY COLOUR \
+                    DIRECTION"); color;
+        ("number", "the direction in which the light travels: three numbers, \
+                    x y z") ]
+      "light that comes from far away";
+    row "spherical" SPHERICAL "SPHERICAL"
+      [ ("number", "the intensity of the light: spherical INTENSITY COLOUR \
+                    POINT"); color;
+        ("number", "the point from which the light shines: three numbers, x y \
+                    z") ]
+      "light that shines from a point";
+  ]
+[@@ocamlformat "disable"]
+
+let shapes : t list =
+  let row = row Shape in
+  [
+    row "sphere" SPHERE "SPHERE"
+      [ ("number", "the centre of the sphere: sphere CENTRE RADIUS, the centre \
+                    being\nthree numbers, x y z");
+        ("number", "the radius of the sphere after its centre") ]
+      "a ball";
+    row "plane" PLANE "PLANE"
+      [ ("number", "a point of the plane: plane POINT NORMAL, each three \
+                    numbers, x y z");
+        ("number", "the normal of the plane: three numbers, x y z") ]
+      "a plane without end";
+  ]
+[@@ocamlformat "disable"]
+
+let surfaces : t list =
+  let row = row Surface in
+  let color word =
+    [ ("colour", Printf.sprintf "the colour after %s: three numbers (red green \
+                                 blue) or a\nname such as red or white" word) ]
+  in
+  [
+    row "diffusive" DIFFUSIVE "DIFFUSIVE" (color "diffusive")
+      "returns light to all sides";
+    row "reflective" REFLECTIVE "REFLECTIVE" [] "a perfect mirror";
+    row "luminous" LUMINOUS "LUMINOUS" (color "luminous") "glows";
+    row "mixed" MIXED "MIXED"
+      [ ("number", "the weight of the first part of the mix:\nmixed WEIGHT \
+                    SURFACE WEIGHT SURFACE ...") ]
+      "a sum of surfaces";
+  ]
+[@@ocamlformat "disable"]
+
+let modifiers : t list =
+  let row = row Modifier in
+  [
+    row "scaled" SCALED "SCALED"
+      [ ("number", "the factor after scaled, such as 2") ]
+      "larger or smaller, seen from the origin";
+    row "stretched" STRETCHED "STRETCHED"
+      [ ("number", "three factors after stretched, along x, y and z") ]
+      "larger or smaller along each axis";
+    row "rotated" ROTATED "ROTATED"
+      [ ("number", "the axis after rotated: rotated AXIS ANGLE, the axis being \
+                    three\nnumbers, x y z");
+        ("number", "the angle in degrees after the axis") ]
+      "turned around an axis through the origin";
+    row "translated" TRANSLATED "TRANSLATED"
+      [ ("number", "the way after translated: three numbers, x y z") ]
+      "moved";
+  ]
+[@@ocamlformat "disable"]
+
+let name_after what =
+  ("name", Printf.sprintf "a name after %s: letters, digits and _, not one of \
+                           let, for, if, else, end, to,\nby, in and include"
+             what)
+[@@ocamlformat "disable"]
+
+let structure : t list =
+  let row = row Structure in
+  [
+    row "let" LET "LET" [ name_after "let" ]
+      "names a value, a surface, a light, an object or a function";
+    row "for" FOR "FOR" [ name_after "for" ]
+      "repeats items for each value of a name";
+    row "if" IF "IF"
+      [ ("condition", "a condition in brackets after if, such as (n > 0)") ]
+      "has items only where a condition is true";
+    row "else" ELSE "ELSE" [] "the items where it is not";
+    row "end" END "END" [] "ends for, if and group";
+    row "to" TO "TO" [ ("number", "the last value of the loop after to") ]
+      "before the last value of a loop";
+    row "by" BY "BY" [ ("number", "the step of the loop after by") ]
+      "before the step of a loop";
+    row "in" IN "IN" [ ("list", "a list after in: [ ... ] or a name") ]
+      "before the list of a loop";
+    row "include" INCLUDE "INCLUDE" [] "reserved: files cannot be included yet";
+  ]
+[@@ocamlformat "disable"]
+
+let others : t list =
+  [
+    row Heading "lights" LIGHTS "LIGHTS" [] "may stand before the lights";
+    row Heading "objects" OBJECTS "OBJECTS" [] "may stand before the objects";
+    row Grouping "group" GROUP "GROUP" [] "puts items together";
   ]
 
-let colors = List.map (fun (name, c) -> (name, Parser.COLOR c)) Color.names
-let all = keywords @ colors
+let operators : t list =
+  let row (word, token) = row Operator word token (String.uppercase_ascii word) [] "" in
+  List.map row
+    [ ("then", Parser.THEN); ("and", AND); ("or", OR); ("not", NOT);
+      ("true", TRUE); ("false", FALSE) ]
+[@@ocamlformat "disable"]
+
+let colors : t list =
+  let color (name, c) = row Color name (Parser.COLOR c) "COLOR" [] "" in
+  List.map color Color.names
 
 let table =
-  let add (word, token) = (String.lowercase_ascii word, token) in
-  Hashtbl.of_seq (Seq.map add (List.to_seq all))
+  settings @ others @ lights @ shapes @ surfaces @ modifiers @ structure
+  @ operators @ colors
 
-let token word = Hashtbl.find_opt table (String.lowercase_ascii word)
+let all =
+  List.filter_map
+    (fun { word; token; role; _ } ->
+      if role = Operator then None else Some (word, token))
+    table
 
-(* Levenshtein's distance, row by row. *)
-let distance a b =
-  let row = Array.init (String.length b + 1) Fun.id in
-  String.iteri
-    (fun i letter ->
-      let diagonal = ref row.(0) in
-      row.(0) <- i + 1;
-      String.iteri
-        (fun j letter' ->
-          let replaced = !diagonal + if letter = letter' then 0 else 1 in
-          diagonal := row.(j + 1);
-          row.(j + 1) <- Int.min replaced (1 + Int.min row.(j) row.(j + 1)))
-        b)
-    a;
-  row.(String.length b)
+let tokens is_it =
+  let row { word; token; _ } = (String.lowercase_ascii word, token) in
+  let found = Hashtbl.of_seq (List.to_seq (List.map row (List.filter is_it table))) in
+  fun word -> Hashtbl.find_opt found (String.lowercase_ascii word)
 
-let longest =
-  List.fold_left (fun n (word, _) -> Int.max n (String.length word)) 0 all
+let token = tokens (fun { role; _ } -> role <> Operator)
+let reserved = tokens (fun { role; _ } -> role = Structure)
 
-let nearest word ~among =
-  let word = String.lowercase_ascii word in
-  let length = String.length word in
-  (* a word this long is not near to any keyword, and might be a megabyte *)
-  if length > 2 * longest then None
-  else
-    let rank keyword =
-      (distance word (String.lowercase_ascii keyword), keyword)
-    in
-    match List.sort compare (List.map rank among) with
-    | (d, keyword) :: _ when d <= Int.max 1 (length / 2) -> Some keyword
-    | _ -> None
+let reserved_inside =
+  tokens (fun { role; _ } -> role = Structure || role = Operator)
+
+let of_symbol symbol =
+  List.find_opt (fun row -> row.symbol = symbol) table
+
+let nearest = Raylab_expression.Nearest.find

@@ -1,15 +1,54 @@
-(** The words of the scene language. *)
+(** The words of the scene language: one table, from which the lexer,
+    suggestions, errors and the manual come. *)
 
-val token : string -> Parser.token option
-(** [token word] is the token of the keyword or colour name [word], whatever
-    its case. *)
+(** What a word is for. *)
+type role =
+  | Setting
+  | Heading
+  | Light
+  | Shape
+  | Surface
+  | Grouping
+  | Modifier
+  | Structure  (** reserved: never a name *)
+  | Operator  (** reserved in brackets *)
+  | Color
 
-val nearest : string -> among:string list -> string option
-(** [nearest word ~among] is the word of [among] that one reaches from [word],
-    whatever its case, by the fewest insertions, deletions and replacements of
-    a letter, if it takes no more of them than half the length of [word], or
-    one. *)
+type parameter = {
+  noun : string;  (** what stands there: ["number"] *)
+  expected : string;  (** more of it, after ["expected "] *)
+}
+(** The type for what follows a word. *)
+
+type t = {
+  word : string;
+  token : Parser.token;
+  symbol : string;  (** the token in the grammar *)
+  role : role;
+  parameters : parameter list;
+  doc : string;  (** what it is, in a line; [""] of colours *)
+}
+(** The type for words. *)
+
+val table : t list
+(** [table] is all words. *)
 
 val all : (string * Parser.token) list
 (** [all] is every keyword and colour name, as one writes it, with its token.
 *)
+
+val token : string -> Parser.token option
+(** [token word] is the token of the keyword or colour name [word], whatever
+    its case; operators are not among them. *)
+
+val reserved : string -> Parser.token option
+(** [reserved word] is the token of [word] if it is never a name. *)
+
+val reserved_inside : string -> Parser.token option
+(** [reserved_inside word] is the same in brackets. *)
+
+val of_symbol : string -> t option
+(** [of_symbol symbol] is the first word of this token. *)
+
+val nearest : string -> among:string list -> string option
+(** [nearest] is {!Raylab_expression.Nearest.find}. *)

@@ -1,8 +1,32 @@
 (** Words of the scene language.
 
-    White space and comments separate words and are not seen. Every run of
-    other characters is one token: a number, a keyword, a colour name, or, if
-    it is none of these, a [WORD], which no rule of the grammar takes. *)
+    White space and comments separate words and are not seen. Outside of
+    brackets every run of other characters, up to a bracket or an equals sign,
+    is one token: a number, a name, a keyword, a colour name, or, if it is none
+    of these, a [WORD], which no rule of the grammar takes. In brackets it is an
+    ordinary language of expressions, where all words but the reserved ones are
+    names.
 
-val token : Lexing.lexbuf -> Parser.token
-(** [token buffer] is the next token. It raises nothing, whatever the bytes. *)
+    A word that a definition, a loop or a parameter introduces is a name from
+    there to the end of the block around it, whatever else it means. *)
+
+type state
+(** The type for what was read before: names, blocks, brackets. *)
+
+val start : unit -> state
+(** [start ()] is the state at the start of a text. *)
+
+val token : state -> Lexing.lexbuf -> Parser.token
+(** [token state buffer] is the next token. It raises nothing, whatever the
+    bytes. *)
+
+val names : state -> string list
+(** [names state] is the names that are known, in lower case. *)
+
+val too_deep : state -> int option
+(** [too_deep state] is the offset where more than 1,000 brackets or blocks are
+    open. *)
+
+val taken : state -> (string * int) list
+(** [taken state] is the words of the language that became names, in the order
+    of the text, with their offsets. *)

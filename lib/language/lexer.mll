@@ -1,25 +1,199 @@
 {
+(* {1 Names}
+
+   A word that a definition, a loop or a parameter introduces is a name from
+   there to the end of the block around it, whatever else it means. *)
+
+type after = Binder | Parameters | Other
+
+type state = {
+  mutable blocks : string list list;  (* names of the blocks that are open *)
+  mutable depth : int;  (* of the brackets that are open *)
+  mutable after : after;
+  mutable starts_parameter : bool;
+  mutable after_else : bool;
+  mutable too_deep : int option;
+  mutable taken : (string * int) list;
+}
+
+let start () =
+  { blocks = [ [] ]; depth = 0; after = Other; starts_parameter = false;
+    after_else = false; too_deep = None; taken = [] }
+
+let too_deep state = state.too_deep
+let taken state = List.rev state.taken
+let key = String.lowercase_ascii
+
+let is_name state word =
+  match state.blocks with
+  | [ [] ] -> false
+  | blocks -> List.exists (List.mem (key word)) blocks
+
+let names state = List.concat state.blocks
+
+let introduce state (lexbuf : Lexing.lexbuf) word =
+  if Keyword.token word <> None && not (is_name state word) then
+    state.taken <- (word, lexbuf.lex_start_p.pos_cnum) :: state.taken;
+  match state.blocks with
+  | [] -> state.blocks <- [ [ key word ] ]
+  | names :: rest -> state.blocks <- (key word :: names) :: rest
+
+let deepest = 1000
+
+let check_depth state (lexbuf : Lexing.lexbuf) depth =
+  if depth > deepest && state.too_deep = None then
+    state.too_deep <- Some lexbuf.lex_start_p.pos_cnum
+
+let open_block state lexbuf =
+  state.blocks <- [] :: state.blocks;
+  check_depth state lexbuf (List.length state.blocks - 1)
+
+let close_block state =
+  match state.blocks with
+  | _ :: (_ :: _ as rest) -> state.blocks <- rest
+  | _ -> ()
+
+let open_bracket state lexbuf =
+  state.depth <- state.depth + 1;
+  check_depth state lexbuf state.depth
+
+let close_bracket state =
+  state.depth <- Int.max 0 (state.depth - 1);
+  if state.depth = 0 then state.after <- Other
+
+(* {1 Words outside of brackets} *)
+
+let structural state lexbuf (token : Parser.token) =
+  let after_else = state.after_else in
+  state.after_else <- false;
+  (match token with
+  | LET -> state.after <- Binder
+  | FOR -> open_block state lexbuf; state.after <- Binder
+  | IF -> if not after_else then open_block state lexbuf
+  | GROUP -> open_block state lexbuf
+  | ELSE ->
+      close_block state;
+      open_block state lexbuf;
+      state.after_else <- true
+  | END -> close_block state
+  | _ -> ());
+  token
+
+let is_letter c =
+  match c with 'a' .. 'z' | 'A' .. 'Z' | '_' -> true | _ -> false
+
+let looks_like_name text =
+  is_letter text.[0]
+  && String.for_all (fun c -> is_letter c || ('0' <= c && c <= '9')) text
+
+let word state lexbuf text =
+  let is_bound = state.after = Binder in
+  state.after <- Other;
+  match Keyword.reserved text with
+  | Some token -> structural state lexbuf token
+  | None ->
+      state.after_else <- false;
+      if is_bound && looks_like_name text then (
+        introduce state lexbuf text;
+        Parser.NAME text)
+      else if is_name state text then Parser.NAME text
+      else (
+        match Keyword.token text with
+        | Some token -> structural state lexbuf token
+        | None -> Parser.WORD text)
+
+(* Of a word right before a bracket: whether it is called. *)
+let is_called state text =
+  Keyword.reserved text = None
+  && (state.after = Binder || is_name state text)
+
+let call state lexbuf text =
+  if state.after = Binder then (
+    introduce state lexbuf text;
+    state.after <- Parameters;
+    state.starts_parameter <- true);
+  open_bracket state lexbuf;
+  Parser.CALL text
+
 let number (lexbuf : Lexing.lexbuf) =
   Parser.NUMBER
     (Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
        ~stop:lexbuf.lex_curr_pos)
 
-let word text =
-  match Keyword.token text with
+(* {1 Words in brackets} *)
+
+let name_inside state lexbuf text =
+  match Keyword.reserved_inside text with
   | Some token -> token
-  | None -> Parser.WORD text
+  | None ->
+      if state.after = Parameters && state.depth = 1 && state.starts_parameter
+      then introduce state lexbuf text;
+      state.starts_parameter <- false;
+      Parser.NAME text
+
+(* Shortens what was read by its last byte, which is read again. *)
+let without_last (lexbuf : Lexing.lexbuf) =
+  lexbuf.lex_curr_pos <- lexbuf.lex_curr_pos - 1;
+  lexbuf.lex_curr_p <-
+    { lexbuf.lex_curr_p with pos_cnum = lexbuf.lex_curr_p.pos_cnum - 1 }
 }
 
 let blank = [' ' '\t' '\011' '\012']
 let line_end = '\n' | '\r' | "\r\n"
 let digits = ['0'-'9']+
-let number =
-  ['+' '-']? (digits ('.' ['0'-'9']*)? | '.' digits)
-  (['e' 'E'] ['+' '-']? digits)?
+let unsigned =
+  (digits ('.' ['0'-'9']*)? | '.' digits) (['e' 'E'] ['+' '-']? digits)?
+let name = ['a'-'z' 'A'-'Z' '_'] ['a'-'z' 'A'-'Z' '_' '0'-'9']*
 
-rule token = parse
-  | blank+ | '#' [^ '\n' '\r']* { token lexbuf }
-  | line_end { Lexing.new_line lexbuf; token lexbuf }
-  | number { number lexbuf }
-  | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#']+ as text { word text }
-  | eof { Parser.EOF }
+rule item state = parse
+  | blank+ | '#' [^ '\n' '\r']* { item state lexbuf }
+  | line_end { Lexing.new_line lexbuf; item state lexbuf }
+  | ['+' '-']? unsigned { number lexbuf }
+  | (name as text) '('
+      { if is_called state text then call state lexbuf text
+        else (without_last lexbuf; word state lexbuf text) }
+  | '(' { open_bracket state lexbuf; LPAREN }
+  | '[' { open_bracket state lexbuf; LBRACKET }
+  | ')' { RPAREN }
+  | ']' { RBRACKET }
+  | '=' { EQUAL }
+  | '"' ([^ '"' '\n' '\r']* as text) '"' { STRING text }
+  | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#' '(' ')' '[' ']' '=']+ as text
+      { word state lexbuf text }
+  | eof { EOF }
+
+and expression state = parse
+  | blank+ | '#' [^ '\n' '\r']* { expression state lexbuf }
+  | line_end { Lexing.new_line lexbuf; expression state lexbuf }
+  | unsigned { number lexbuf }
+  | (name as text) '('
+      { if Keyword.reserved_inside text = None then call state lexbuf text
+        else (without_last lexbuf; name_inside state lexbuf text) }
+  | name as text { name_inside state lexbuf text }
+  | '.' (['x' 'y' 'z' 'r' 'g' 'b' 'X' 'Y' 'Z' 'R' 'G' 'B'] as letter)
+      { PART (Char.lowercase_ascii letter) }
+  | '.' name as text { WORD text }
+  | '(' { open_bracket state lexbuf; LPAREN }
+  | '[' { open_bracket state lexbuf; LBRACKET }
+  | ')' { close_bracket state; RPAREN }
+  | ']' { close_bracket state; RBRACKET }
+  | ','
+      { state.starts_parameter <- true; COMMA }
+  | ':' { state.starts_parameter <- false; COLON }
+  | '+' { PLUS } | '-' { MINUS } | '*' { TIMES } | '/' { DIVIDE }
+  | '^' { POWER }
+  | '=' { EQUAL } | "<>" { DIFFERENT }
+  | "<=" { LESS_EQUAL } | '<' { LESS } | ">=" { GREATER_EQUAL }
+  | '>' { GREATER }
+  | "==" | "!=" as text { WORD text }
+  | '"' ([^ '"' '\n' '\r']* as text) '"' { STRING text }
+  | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#' '(' ')' '[' ']' ',' ':' '+' '*' '/'
+     '^' '=' '<' '>' '"' '-' '.' '0'-'9' 'a'-'z' 'A'-'Z' '_']+ as text
+      { WORD text }
+  | _ as c { WORD (String.make 1 c) }
+  | eof { EOF }
+
+{
+let token state lexbuf =
+  if state.depth > 0 then expression state lexbuf else item state lexbuf
+}

@@ -1,119 +1,336 @@
 (* The grammar of the scene language.
 
-   Numbers are checked later (see Check), so that one run reports every number
-   that is out of range. *)
+   Every parameter of a word is an expression with its place. What is written
+   in numbers alone is built at once (see Literal). What each state expects is
+   told by Expectation. *)
 
 %{
-open Raylab_geometry
-open Raylab_scene
+open Raylab_source
+open Raylab_expression
+open Expression
 
-let span (start : Lexing.position) (stop : Lexing.position) =
+let span ((start, stop) : Lexing.position * Lexing.position) =
   Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum
 
-let start (place : Lexing.position) = place.pos_cnum
-let line (place : Lexing.position) = place.pos_lnum
-let located value start stop = { Syntax.value; span = span start stop }
+let make desc loc = { desc; span = span loc }
+
+(* Of what is called: the name without its bracket. *)
+let name_span ((start, stop) : Lexing.position * Lexing.position) =
+  Span.make ~start:start.pos_cnum ~stop:(stop.pos_cnum - 1)
+
+let color_word { Raylab_scene.Color.r; g; b } loc =
+  let channel x = make (Number x) loc in
+  make (Triple (channel r, channel g, channel b)) loc
+
+(* [[v]] is v where a vector or colour stands. *)
+let vector_of e = match e.desc with List [ v ] -> v | _ -> e
+
+let placed thing modifiers ((start, _) as loc : Lexing.position * _) =
+  { Syntax.thing; modifiers = List.rev modifiers; span = span loc;
+    line = start.pos_lnum }
+
+let setting word loc value =
+  Syntax.Setting { word; word_span = span loc; value }
 %}
 
 %token <float> NUMBER "1"
 %token <Raylab_scene.Color.t> COLOR "red"
 %token <string> WORD "<unknown word>"
+%token <string> NAME "name" CALL "name("
+%token <string> STRING "\"text\""
+%token <char> PART ".x"
 %token IM_WIDTH "imWidth" IM_HEIGHT "imHeight"
 %token CANV_WIDTH "canvWidth" CANV_HEIGHT "canvHeight"
 %token DEPTH "depth" BCOLOR "bcolor" RAYDEPTH "raydepth"
 %token LIGHTS "lights" DIRECTIONAL "directional" SPHERICAL "spherical"
-%token OBJECTS "objects" SPHERE "sphere" PLANE "plane"
+%token OBJECTS "objects" SPHERE "sphere" PLANE "plane" GROUP "group"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
 %token MIXED "mixed"
+%token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
+%token TRANSLATED "translated"
+%token LET "let" FOR "for" IF "if" ELSE "else" END "end" TO "to" BY "by"
+%token IN "in" INCLUDE "include"
+%token THEN "then" AND "and" OR "or" NOT "not" TRUE "true" FALSE "false"
+%token LPAREN "(" RPAREN ")" LBRACKET "[" RBRACKET "]" COMMA "," COLON ":"
+%token PLUS "+" MINUS "-" TIMES "*" DIVIDE "/" POWER "^"
+%token EQUAL "=" DIFFERENT "<>" LESS "<" LESS_EQUAL "<=" GREATER ">"
+%token GREATER_EQUAL ">="
 %token EOF
 
 (* A weight belongs to the innermost mix that is open. *)
 %nonassoc end_of_mix
-%nonassoc NUMBER
+%nonassoc NUMBER LPAREN
+
+%nonassoc IN ELSE
+%left OR
+%left AND
+%nonassoc NOT
+%nonassoc EQUAL DIFFERENT LESS LESS_EQUAL GREATER GREATER_EQUAL
+%left PLUS MINUS
+%left TIMES DIVIDE
+%nonassoc unary_minus
+%right POWER
+%left PART
 
 %start <Syntax.t> scene
 
 %%
 
 scene:
-  header = header lights = lights objects = objects EOF
-    { { Syntax.header = List.rev header; lights = List.rev lights;
-        objects = List.rev objects;
-        header_end = span $endpos(header) $endpos(header) } }
+  header = header items = body EOF
+    { { Syntax.header = List.rev header; items = List.rev items;
+        header_end =
+          span ($endpos(header), $endpos(header)) } }
 
 header:
   | (* nothing *) { [] }
   | header = header setting = setting { setting :: header }
+  | header = header d = definition { Syntax.Header_definition d :: header }
 
-(* each with the span of its keyword *)
 setting:
-  | "imWidth" n = number
-      { (span $startpos $endpos($1),
-         Syntax.Image_width (located n $startpos(n) $endpos(n))) }
-  | "imHeight" n = number
-      { (span $startpos $endpos($1),
-         Syntax.Image_height (located n $startpos(n) $endpos(n))) }
-  | "canvWidth" n = number
-      { (span $startpos $endpos($1),
-         Syntax.Canvas_width (located n $startpos(n) $endpos(n))) }
-  | "canvHeight" n = number
-      { (span $startpos $endpos($1),
-         Syntax.Canvas_height (located n $startpos(n) $endpos(n))) }
-  | "depth" n = number
-      { (span $startpos $endpos($1),
-         Syntax.Depth (located n $startpos(n) $endpos(n))) }
-  | "raydepth" n = number
-      { (span $startpos $endpos($1),
-         Syntax.Ray_depth (located n $startpos(n) $endpos(n))) }
-  | "bcolor" c = color
-      { (span $startpos $endpos($1), Syntax.Background c) }
+  | "imWidth" n = atom { setting "imWidth" $loc($1) n }
+  | "imHeight" n = atom { setting "imHeight" $loc($1) n }
+  | "canvWidth" n = atom { setting "canvWidth" $loc($1) n }
+  | "canvHeight" n = atom { setting "canvHeight" $loc($1) n }
+  | "depth" n = atom { setting "depth" $loc($1) n }
+  | "raydepth" n = atom { setting "raydepth" $loc($1) n }
+  | "bcolor" c = color { setting "bcolor" $loc($1) c }
 
-lights:
-  | (* none *) { [] }
-  | "lights" lights = some_lights { lights }
+(* {1 Items}, the last one first *)
 
-some_lights:
+body:
+  | (* nothing *) { [] }
+  | "lights" items = items { items }
+  | "lights" before = items "objects" items = items { items @ before }
+  | "objects" items = items { items }
+  | first = things { first }
+  | first = things "objects" items = items { items @ first }
+
+(* Not to begin with a definition, which belongs to the header. *)
+things:
+  | thing = thing { [ thing ] }
+  | items = things item = item { item :: items }
+
+items:
   | (* none *) { [] }
-  | lights = some_lights light = light { light :: lights }
+  | items = items item = item { item :: items }
+
+item:
+  | d = definition { Syntax.Definition d }
+  | thing = thing { thing }
+
+thing:
+  | thing = simple_thing { thing }
+  | "if" condition = condition yes = items no = otherwise
+      { Syntax.If { condition; yes = List.rev yes; no } }
+
+simple_thing:
+  | light = light modifiers = modifiers
+      { Literal.light (placed (Light light) modifiers $loc(light)) }
+  | shape = shape surface = surface modifiers = modifiers
+      { Literal.object_
+          (placed (Shape (shape, surface)) modifiers $loc(shape)) }
+  | group = group modifiers = modifiers
+      { Syntax.Placed (placed (Group group) modifiers $loc(group)) }
+  | r = reference modifiers = modifiers
+      { Syntax.Placed (placed (Reference r) modifiers $loc(r)) }
+  | "for" name = NAME range = range body = items "end"
+      { Syntax.For { name; name_span = span $loc(name); range;
+              body = List.rev body } }
+
+otherwise:
+  | "end" { [] }
+  | "else" items = else_items "end" { List.rev items }
+  | "else" "if" condition = condition yes = items no = otherwise
+      { [ Syntax.If { condition; yes = List.rev yes; no } ] }
+
+(* [else if] goes on with the same [if]. *)
+else_items:
+  | (* none *) { [] }
+  | items = some_else_items { items }
+
+some_else_items:
+  | item = else_item { [ item ] }
+  | items = some_else_items item = item { item :: items }
+
+else_item:
+  | d = definition { Syntax.Definition d }
+  | thing = simple_thing { thing }
+
+condition:
+  | "(" e = expr ")" { e }
+
+range:
+  | "=" first = atom "to" last = atom { To { first; last; step = None } }
+  | "=" first = atom "to" last = atom "by" step = atom
+      { To { first; last; step = Some step } }
+  | "in" l = bracketed { In l }
+  | "in" r = reference { In r }
+
+definition:
+  | "let" name = NAME "=" value = value
+      { { Syntax.name; name_span = span $loc(name); parameters = None;
+          value } }
+  | "let" name = CALL parameters = separated_list(",", parameter) ")" "="
+    value = value
+      { { Syntax.name; name_span = name_span $loc(name);
+          parameters = Some parameters; value } }
+
+parameter:
+  | name = NAME { { Code.name; span = span $loc; default = None } }
+  | name = NAME ":" e = expr
+      { { Code.name; span = span $loc(name); default = Some e } }
+
+value:
+  | x = plain { Syntax.Expression x }
+  | x = plain y = plain z = plain { Syntax.Expression (bare_triple x y z) }
+  | c = COLOR { Syntax.Expression (color_word c $loc) }
+  | l = bracketed { Syntax.Expression l }
+  | s = STRING { Syntax.Expression (make (Text s) $loc) }
+  | r = reference { Syntax.Expression r }
+  | r = reference modifiers = some_modifiers
+      { Syntax.Thing (placed (Reference r) modifiers $loc(r)) }
+  | s = own_surface { Syntax.Surface s }
+  | light = light modifiers = modifiers
+      { Syntax.Thing (placed (Light light) modifiers $loc(light)) }
+  | shape = shape surface = surface modifiers = modifiers
+      { Syntax.Thing (placed (Shape (shape, surface)) modifiers $loc(shape)) }
+  | group = group modifiers = modifiers
+      { Syntax.Thing (placed (Group group) modifiers $loc(group)) }
+
+(* {1 Things} *)
 
 light:
-  | "directional" intensity = number color = color direction = vector
-      { { Syntax.source = Directional direction; intensity; color;
-          start = start $startpos; line = line $startpos } }
-  | "spherical" intensity = number color = color position = vector
-      { { Syntax.source = Spherical position; intensity; color;
-          start = start $startpos; line = line $startpos } }
-
-objects:
-  | (* none *) { [] }
-  | "objects" { [] }
-  | objects = objects shape = shape surface = surface
-      { { Syntax.shape; surface; start = start $startpos(shape);
-          line = line $startpos(shape) }
-        :: objects }
+  | "directional" intensity = atom color = color direction = vector
+      { { Syntax.source = Directional direction; intensity; color } }
+  | "spherical" intensity = atom color = color position = vector
+      { { Syntax.source = Spherical position; intensity; color } }
 
 shape:
-  | "sphere" centre = vector radius = number
-    { Syntax.Sphere { centre; radius } }
+  | "sphere" centre = vector radius = atom { Syntax.Sphere { centre; radius } }
   | "plane" point = vector normal = vector { Syntax.Plane { point; normal } }
 
+group:
+  | "group" items = items "end" { List.rev items }
+
+modifiers:
+  | (* none *) { [] }
+  | modifiers = some_modifiers { modifiers }
+
+some_modifiers:
+  | modifier = modifier { [ modifier ] }
+  | modifiers = some_modifiers modifier = modifier { modifier :: modifiers }
+
+modifier:
+  | "scaled" factor = atom
+      { { Syntax.change = Scaled factor; span = span $loc($1) } }
+  | "stretched" factors = vector
+      { { Syntax.change = Stretched factors; span = span $loc($1) } }
+  | "rotated" axis = vector angle = atom
+      { { Syntax.change = Rotated (axis, angle); span = span $loc($1) } }
+  | "translated" way = vector
+      { { Syntax.change = Translated way; span = span $loc($1) } }
+
+(* {1 Surfaces} *)
+
 surface:
-  | "diffusive" c = color { Syntax.Diffusive c }
-  | "reflective" { Syntax.Reflective }
-  | "luminous" c = color { Syntax.Luminous c }
-  | "mixed" parts = parts { Syntax.Mixed parts }
+  | s = own_surface { s }
+  | r = reference { { Syntax.finish = Chosen r; span = span $loc } }
+  | "(" e = expr ")" { { Syntax.finish = Chosen e; span = span $loc } }
+
+own_surface:
+  | "diffusive" c = color
+      { { Syntax.finish = Diffusive c; span = span $loc($1) } }
+  | "reflective" { { Syntax.finish = Reflective; span = span $loc($1) } }
+  | "luminous" c = color
+      { { Syntax.finish = Luminous c; span = span $loc($1) } }
+  | "mixed" parts = parts
+      { { Syntax.finish = Mixed parts; span = span $loc($1) } }
 
 parts:
-  | weight = number surface = surface %prec end_of_mix { [ (weight, surface) ] }
-  | weight = number surface = surface parts = parts
+  | weight = weight surface = surface %prec end_of_mix { [ (weight, surface) ] }
+  | weight = weight surface = surface parts = parts
       { (weight, surface) :: parts }
 
-number:
-  | n = NUMBER { n }
+weight:
+  | x = plain { x }
+
+(* {1 Numbers, vectors, colours} *)
+
+(* One number; brackets hold an expression. *)
+plain:
+  | n = NUMBER { make (Number n) $loc }
+  | "(" e = expr ")" { e }
+
+atom:
+  | x = plain { x }
+  | r = reference { r }
 
 vector:
-  | x = NUMBER y = NUMBER z = NUMBER { Vec3.make x y z }
+  | x = atom y = atom z = atom { bare_triple x y z }
+  | l = bracketed { vector_of l }
 
 color:
-  | r = NUMBER g = NUMBER b = NUMBER { Color.make r g b }
-  | c = COLOR { c }
+  | r = plain g = plain b = plain { bare_triple r g b }
+  | c = COLOR { color_word c $loc }
+  | r = reference { r }
+  | l = bracketed { vector_of l }
+
+reference:
+  | name = NAME { make (Name name) $loc }
+  | name = CALL arguments = separated_list(",", argument) ")"
+      { make (Call { name; name_span = name_span $loc(name); arguments })
+          $loc }
+
+argument:
+  | value = expr { { label = None; value } }
+  | label = NAME ":" value = expr
+      { { label = Some (label, span $loc(label)); value } }
+
+(* {1 Expressions} *)
+
+bracketed:
+  | "[" elements = separated_list(",", expr) "]" { make (List elements) $loc }
+  | "[" "for" name = NAME range = expr_range ":" body = expr "]"
+      { make
+          (Series { name; name_span = span $loc(name); range; body })
+          $loc }
+
+expr_range:
+  | "=" first = expr "to" last = expr { To { first; last; step = None } }
+  | "=" first = expr "to" last = expr "by" step = expr
+      { To { first; last; step = Some step } }
+  | "in" e = expr { In e }
+
+expr:
+  | n = NUMBER { make (Number n) $loc }
+  | s = STRING { make (Text s) $loc }
+  | "true" { make (Truth true) $loc }
+  | "false" { make (Truth false) $loc }
+  | r = reference { r }
+  | l = bracketed { l }
+  | "(" e = expr ")" { e }
+  | e = expr letter = PART { make (Part (e, letter)) $loc }
+  | "-" e = expr %prec unary_minus { make (Negative e) $loc }
+  | "not" e = expr { make (Not e) $loc }
+  | a = expr o = operator b = expr { make (Binary (o, a, b)) $loc }
+  | "if" c = expr "then" a = expr "else" b = expr { make (If (c, a, b)) $loc }
+  | "let" name = NAME "=" value = expr "in" body = expr
+      { make
+          (Expression.Let { name; name_span = span $loc(name); value; body })
+          $loc }
+
+%inline operator:
+  | "+" { Add }
+  | "-" { Subtract }
+  | "*" { Multiply }
+  | "/" { Divide }
+  | "^" { Power }
+  | "=" { Equal }
+  | "<>" { Different }
+  | "<" { Less }
+  | "<=" { Less_or_equal }
+  | ">" { Greater }
+  | ">=" { Greater_or_equal }
+  | "and" { And }
+  | "or" { Or }

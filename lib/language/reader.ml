@@ -1,3 +1,4 @@
+open Raylab_source
 module Engine = Slow_parser.MenhirInterpreter
 
 (* Feeding the text in pieces spares a second copy of a large one. *)
@@ -9,38 +10,49 @@ let lexbuf source =
       next := !next + length;
       length)
 
-(* What was expected in a state, and the rest of what is said there. *)
-let expectation state =
-  let text = Parser_messages.message state in
-  match String.index_opt text '\n' with
-  | Some i ->
-      ( String.sub text 0 i,
-        String.trim (String.sub text i (String.length text - i)) )
-  | None -> (text, "")
+(* What programs in other languages write. *)
+let special (token : Parser.token) =
+  match token with
+  | WORD "==" -> Some ("'==' is no operator", "two values are compared by =")
+  | WORD "!=" ->
+      Some ("'!=' is no operator", "that two values differ is written <>")
+  | INCLUDE ->
+      Some
+        ( "other files cannot be included yet",
+          "put what they say into this file" )
+  | _ -> None
 
-let syntax_error source checkpoint state token (start : Lexing.position)
+let syntax_error source checkpoint state names token (start : Lexing.position)
     (stop : Lexing.position) =
   let span = Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum in
-  let expected, advice = expectation state in
-  match (token : Parser.token) with
-  | WORD _ ->
+  let { Expectation.noun = expected; advice } = Expectation.of_state state in
+  let article =
+    match expected.[0] with
+    | 'a' | 'e' | 'i' | 'o' | 'u' -> "an "
+    | '\'' -> ""
+    | _ -> "a "
+  in
+  match (special token, (token : Parser.token)) with
+  | Some (message, advice), _ -> Scene_error.make source span message ~advice
+  | None, WORD _ ->
       let acceptable token = Engine.acceptable checkpoint token start in
-      Unknown_word.error source span ~acceptable ~expected ~advice
-  | EOF ->
+      Unknown_word.error source span ~acceptable ~names ~expected ~advice
+  | None, EOF ->
       Scene_error.make source span ~advice
-        (Printf.sprintf "the file ends where a %s should follow" expected)
-  | _ ->
+        (Printf.sprintf "the file ends where %s%s should follow" article
+           expected)
+  | None, _ ->
       Scene_error.make source span ~advice
-        (Printf.sprintf "a %s should stand here, not '%s'" expected
+        (Printf.sprintf "%s%s should stand here, not '%s'" article expected
            (Source.quote source span))
 
 (* Runs the slow parser over a text that the fast one refused. *)
 let explain_error source =
-  let lexbuf = lexbuf source in
+  let lexbuf = lexbuf source and words = Lexer.start () in
   let rec run input checkpoint =
     match checkpoint with
     | Engine.InputNeeded _ ->
-        let token = Lexer.token lexbuf in
+        let token = Lexer.token words lexbuf in
         let start = lexbuf.lex_start_p and stop = lexbuf.lex_curr_p in
         advance
           (checkpoint, token, start, stop)
@@ -54,14 +66,26 @@ let explain_error source =
         (* messages are numbered by the state after all reductions *)
         let before, token, start, stop = input in
         let state = Engine.current_state_number env in
-        Error (syntax_error source before state token start stop)
+        let names = Lexer.names words in
+        Error (syntax_error source before state names token start stop)
     | Rejected -> assert false (* comes only after [HandlingError] *)
     | Accepted syntax -> Ok syntax
   in
   let start = Slow_parser.Incremental.scene Lexing.dummy_pos in
   run (start, Parser.EOF, Lexing.dummy_pos, Lexing.dummy_pos) start
 
+let too_deep source offset =
+  Scene_error.make source
+    (Span.make ~start:offset ~stop:(offset + 1))
+    "brackets and blocks are nested deeper than 1,000"
+
 let parse source =
-  match Parser.scene Lexer.token (lexbuf source) with
-  | syntax -> Ok syntax
-  | exception Parser.Error -> explain_error source
+  let words = Lexer.start () in
+  let result =
+    match Parser.scene (Lexer.token words) (lexbuf source) with
+    | syntax -> Ok syntax
+    | exception Parser.Error -> explain_error source
+  in
+  match Lexer.too_deep words with
+  | Some offset -> Error (too_deep source offset)
+  | None -> result

@@ -1,3 +1,5 @@
+open Raylab_source
+
 type t = {
   file : string;
   place : Source.place option;

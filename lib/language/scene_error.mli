@@ -1,5 +1,7 @@
 (** What is wrong with a scene file, and where. *)
 
+open Raylab_source
+
 type t = {
   file : string;
   place : Source.place option;  (** [None]: the file could not be read *)

@@ -8,21 +8,21 @@ let too_large file =
   let reason = Printf.sprintf "the scene is larger than %d bytes" max_size in
   Error [ Scene_error.unreadable ~file reason ]
 
-let read_scene source =
+let read_scene ?time source =
   match Reader.parse source with
   | Error error -> Error [ error ]
-  | Ok syntax -> Check.scene source syntax
+  | Ok syntax -> Evaluate.scene ?time source syntax
 
 let foreign source encoding =
   Scene_error.whole source
     (Printf.sprintf "the text is %s, and a scene is UTF-8" encoding)
     ~advice:"save it as UTF-8"
 
-let parse source =
+let parse ?time source =
   let text = Source.text source in
   if String.length text > max_size then too_large (Source.name source)
   else
-    match (read_scene source, Encoding.foreign text) with
+    match (read_scene ?time source, Encoding.foreign text) with
     | Error _, Some encoding -> Error [ foreign source encoding ]
     | result, _ -> result
 
@@ -76,7 +76,7 @@ let read path =
       in
       Error [ Scene_error.unreadable ~file reason ]
 
-let load path = Result.bind (read path) parse
+let load ?time path = Result.bind (read path) (parse ?time)
 
 (* {1 Printing} *)
 

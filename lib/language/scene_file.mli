@@ -2,8 +2,9 @@
 
 open Raylab_scene
 
-val parse : Source.t -> (Scene.t, Scene_error.t list) result
-(** [parse source] is the scene that [source] describes, or what is wrong with
+val parse : ?time:float -> Source.t -> (Scene.t, Scene_error.t list) result
+(** [parse ~time source] is the scene that [source] describes at [time], by
+    default 0, or what is wrong with
     it: one error of syntax, or all errors of validation in the order of the
     text. It takes time linear in the size of the text and raises nothing,
     whatever the bytes. More of them than {!max_size} are an error, without a
@@ -14,8 +15,8 @@ val read : string -> (Source.t, Scene_error.t list) result
     [path] is ["-"]. A file that cannot be read, or is too large, is an error.
 *)
 
-val load : string -> (Scene.t, Scene_error.t list) result
-(** [load path] is {!parse} of {!read}[ path]. *)
+val load : ?time:float -> string -> (Scene.t, Scene_error.t list) result
+(** [load ~time path] is {!parse}[ ~time] of {!read}[ path]. *)
 
 val without_extension : string -> string
 (** [without_extension path] is [path] without [.scene] or [.txt] at its end,

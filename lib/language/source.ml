@@ -1,3 +1,5 @@
+open Raylab_source
+
 type t = { name : string; text : string; lines : Lines.t Lazy.t }
 
 let printable text =

@@ -1,5 +1,7 @@
 (** Source texts: a scene file's name and bytes, and the places in it. *)
 
+open Raylab_source
+
 type t
 (** The type for source texts. *)
 

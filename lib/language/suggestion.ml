@@ -1,5 +1,5 @@
 let is_number word =
-  match Lexer.token (Lexing.from_string word) with
+  match Lexer.token (Lexer.start ()) (Lexing.from_string word) with
   | NUMBER _ -> true
   | _ -> false
 
@@ -32,19 +32,20 @@ let of_trade ~acceptable keywords =
   | [] -> Printf.sprintf "The language calls that %s." (quoted_list keywords)
   | here -> did_you_mean here
 
-let nearest ~acceptable word =
-  let words = List.filter acceptable (List.map fst Keyword.all) in
+let nearest ~acceptable ~names word =
+  let words = names @ List.filter acceptable (List.map fst Keyword.all) in
   match Keyword.nearest word ~among:words with
   | Some keyword -> did_you_mean [ keyword ]
   | None -> ""
 
-let sentence ~acceptable word =
+let sentence ~acceptable ~names word =
   let word = Lookalike.plain word in
   let keyword_acceptable keyword =
     Option.fold ~none:false ~some:acceptable (Keyword.token keyword)
   in
+  let names = if acceptable (NAME "") then names else [] in
   let numbers = if acceptable (NUMBER 0.) then without_commas word else None in
   match (numbers, Synonym.keywords word) with
   | Some numbers, _ -> did_you_mean [ numbers ]
-  | None, [] -> nearest ~acceptable:keyword_acceptable word
+  | None, [] -> nearest ~acceptable:keyword_acceptable ~names word
   | None, keywords -> of_trade ~acceptable:keyword_acceptable keywords

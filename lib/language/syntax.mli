@@ -1,56 +1,89 @@
-(** Scenes as they are written: parsed, but no number checked yet. A setting
-    may be missing or stand twice, a radius may be negative. {!Check.scene}
-    makes a {!Raylab_scene.Scene.t} of it, or says what is wrong and where.
+(** Scenes as they are written: parsed, but nothing evaluated or checked yet.
 
-    A light or object only knows where it starts: a scene may have millions,
-    and the places of single numbers are wanted only where one is in error. *)
+    What is written in numbers alone and is as it should be is built at once: a
+    scene may have millions of such objects. Of all else every part is an
+    expression and knows its place. *)
 
-open Raylab_geometry
+open Raylab_source
+open Raylab_expression
 open Raylab_scene
 
-type 'a located = { value : 'a; span : Span.t }
-(** A value and the text that it was read from. *)
+type vector = Expression.t
+(** Three numbers, or an expression for all of them. *)
 
-type setting =
-  | Image_width of float located
-  | Image_height of float located
-  | Canvas_width of float located
-  | Canvas_height of float located
-  | Depth of float located
-  | Background of Color.t
-  | Ray_depth of float located  (** A setting of the header. *)
-
-type source = Directional of Vec3.t | Spherical of Vec3.t
-
-type light = {
-  source : source;
-  intensity : float;
-  color : Color.t;
-  start : int;  (** the offset of the first byte *)
-  line : int;  (** counted from 1 *)
-}
+type color = Expression.t
+(** Likewise. The word for a colour is three numbers at its place. *)
 
 type shape =
-  | Sphere of { centre : Vec3.t; radius : float }
-  | Plane of { point : Vec3.t; normal : Vec3.t }
+  | Sphere of { centre : vector; radius : Expression.t }
+  | Plane of { point : vector; normal : vector }
 
-type surface =
-  | Diffusive of Color.t
+type surface = { finish : finish; span : Span.t  (** of its first word *) }
+
+and finish =
+  | Diffusive of color
   | Reflective
-  | Luminous of Color.t
-  | Mixed of (float * surface) list
+  | Luminous of color
+  | Mixed of (Expression.t * surface) list
+  | Chosen of Expression.t  (** a name, or what stands in brackets *)
 
-type object_ = {
-  shape : shape;
-  surface : surface;
-  start : int;  (** the offset of the first byte *)
+type source = Directional of vector | Spherical of vector
+type light = { source : source; intensity : Expression.t; color : color }
+
+type modifier = { change : change; span : Span.t }
+
+and change =
+  | Scaled of Expression.t
+  | Stretched of vector
+  | Rotated of vector * Expression.t
+  | Translated of vector
+
+type item =
+  | Ready_object of Object.t
+  | Ready_light of Light.t
+  | Placed of placed
+  | Definition of definition
+  | For of {
+      name : string;
+      name_span : Span.t;
+      range : Expression.range;
+      body : item list;
+    }
+  | If of { condition : Expression.t; yes : item list; no : item list }
+
+and placed = {
+  thing : thing;
+  modifiers : modifier list;  (** in the order in which they are written *)
+  span : Span.t;  (** of its first word *)
   line : int;  (** counted from 1 *)
 }
 
+and thing =
+  | Light of light
+  | Shape of shape * surface
+  | Group of item list
+  | Reference of Expression.t
+
+and definition = {
+  name : string;
+  name_span : Span.t;
+  parameters : Code.parameter list option;  (** [None]: no function *)
+  value : value;
+}
+
+and value =
+  | Expression of Expression.t
+  | Surface of surface
+  | Thing of placed
+
+type setting = { word : string; word_span : Span.t; value : Expression.t }
+(** A setting of the header. *)
+
+type header_item = Setting of setting | Header_definition of definition
+
 type t = {
-  header : (Span.t * setting) list;  (** each with the span of its keyword *)
+  header : header_item list;
   header_end : Span.t;  (** the empty span after the last setting *)
-  lights : light list;
-  objects : object_ list;
+  items : item list;
 }
 (** The type for parsed scenes. *)

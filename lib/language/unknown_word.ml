@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_scene
 
 (* {1 A character that does not belong} *)
@@ -20,9 +21,9 @@ let character_error source word_span found =
 
 (* Whether the language knows all words of [text]. *)
 let is_known text =
-  let lexbuf = Lexing.from_string text in
+  let lexbuf = Lexing.from_string text and words = Lexer.start () in
   let rec rest () =
-    match Lexer.token lexbuf with
+    match Lexer.token words lexbuf with
     | EOF -> true
     | WORD _ -> false
     | _ -> rest ()
@@ -43,10 +44,15 @@ let character_told source word_span found =
   let place = Source.place source (span_of word_span found) in
   Printf.sprintf " There is %s, in column %d." found.name place.first
 
-let word_error source span ~acceptable ~expected ~advice word =
+let word_error source span ~acceptable ~names:known ~expected ~advice word =
   let quoted = Source.quote source span in
   let message =
-    if expected = "number" then Printf.sprintf "'%s' is not a number" quoted
+    if expected.[0] = '\'' then
+      Printf.sprintf "%s should stand here, not '%s'" expected quoted
+    else if List.mem expected [ "number"; "name"; "condition"; "operator" ] then
+      Printf.sprintf "'%s' is %s %s" quoted
+        (if expected = "operator" then "no" else "not a")
+        expected
     else Printf.sprintf "unknown %s '%s'" expected quoted
   and names = if expected = "colour" then names_of_colors else ""
   and character =
@@ -54,16 +60,16 @@ let word_error source span ~acceptable ~expected ~advice word =
       ~some:(character_told source span)
       (Lookalike.first word)
   and suggestion =
-    match Suggestion.sentence ~acceptable word with
+    match Suggestion.sentence ~acceptable ~names:known word with
     | "" -> ""
     | sentence -> " " ^ sentence
   in
   Scene_error.make source span message
     ~advice:(advice ^ names ^ character ^ suggestion)
 
-let error source span ~acceptable ~expected ~advice =
+let error source span ~acceptable ~names ~expected ~advice =
   let word = Source.slice source span in
   match Lookalike.first word with
   | Some found when is_known (Lookalike.plain word) ->
       character_error source span found
-  | _ -> word_error source span ~acceptable ~expected ~advice word
+  | _ -> word_error source span ~acceptable ~names ~expected ~advice word

@@ -1,14 +1,18 @@
 (** What is said of a word that the language does not know. *)
 
+open Raylab_source
+
 val error :
   Source.t ->
   Span.t ->
   acceptable:(Parser.token -> bool) ->
+  names:string list ->
   expected:string ->
   advice:string ->
   Scene_error.t
-(** [error source span ~acceptable ~expected ~advice] is the error that the
+(** [error source span ~acceptable ~names ~expected ~advice] is the error that the
     word at [span] is unknown where [expected] was, such as ["surface"].
-    [advice] says more of that, and [acceptable] which tokens may stand there.
+    [advice] says more of that, [acceptable] which tokens may stand there, and [names]
+    which names are known.
     If it is only a character that makes the word unknown, and one hardly sees
     it ({!Lookalike}), the error is that character. *)

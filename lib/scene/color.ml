@@ -22,6 +22,14 @@ let names =
     ("cyan", cyan);
     ("magenta", magenta);
     ("yellow", yellow);
+    ("grey", make 0.5 0.5 0.5);
+    ("gray", make 0.5 0.5 0.5);
+    ("orange", make 1. 0.5 0.);
+    ("brown", make 0.5 0.25 0.1);
+    ("pink", make 1. 0.6 0.75);
+    ("purple", make 0.5 0. 0.5);
+    ("gold", make 1. 0.78 0.3);
+    ("silver", make 0.75 0.75 0.78);
   ]
 
 let[@inline] add a b = { r = a.r +. b.r; g = a.g +. b.g; b = a.b +. b.b }

@@ -27,8 +27,8 @@ val yellow : t
 (** [yellow] is (1, 1, 0). *)
 
 val names : (string * t) list
-(** [names] is the eight constants under the names that the scene language
-    gives them. *)
+(** [names] is the colours that have a name in the scene language, the eight
+    constants first. *)
 
 val largest : t -> float
 (** [largest c] is the largest channel of [c]. *)

@@ -24,6 +24,17 @@ let spherical ~intensity ~color ~position =
     invalid_arg "a light's position must be finite";
   make ~intensity ~color (Spherical position)
 
+let transformed change light =
+  match light.source with
+  | Directional direction ->
+      let direction = Similarity.direction change (direction :> Vec3.t) in
+      { light with source = Directional (Direction.of_vec3_exn direction) }
+  | Spherical position ->
+      let position = Similarity.point change position in
+      if not (Vec3.is_finite position) then
+        invalid_arg "a light's position must be finite";
+      { light with source = Spherical position }
+
 (* {1 What reaches a point} *)
 
 type incidence = { mutable cosine : float; mutable falloff : float }

@@ -34,6 +34,12 @@ val spherical : intensity:float -> color:Color.t -> position:Vec3.t -> t
     1e154, where only an intensity of more than 1e304 could be seen, and within
     about 1e-162, as if the light were at the point itself. *)
 
+val transformed : Similarity.t -> t -> t
+(** [transformed change light] is [light] as [change] puts it; its intensity
+    stays.
+
+    Raises [Invalid_argument] if its position is no longer finite. *)
+
 (** {1 What reaches a point} *)
 
 val received : t -> point:Vec3.t -> normal:Direction.t -> Color.t

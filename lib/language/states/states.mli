@@ -1,0 +1,1 @@
+(** Prints the states of a grammar as an OCaml module. *)
