@@ -1,6 +1,8 @@
 type t = { noun : string; advice : string }
 
-let expected noun what = Some { noun; advice = "expected " ^ what ^ "." }
+let expected noun what =
+  let stop = if String.ends_with ~suffix:"." what then "" else "." in
+  Some { noun; advice = "expected " ^ what ^ stop }
 
 (* {1 After a word} *)
 
@@ -19,7 +21,7 @@ let surfaces =
 let range = "= and the first value, or in and a list, after the name of a loop"
 
 let next_item =
-  "a shape: sphere or plane. Settings stand before the\nobjects"
+  "a shape: sphere or plane. Settings stand before the objects"
 
 let vector letter =
   Printf.sprintf "the %s of a point or vector, which is three numbers: x y z"
@@ -43,6 +45,10 @@ let rule whole before after =
       expected "keyword"
         "a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
          depth, bcolor, raydepth), or lights, objects, sphere or plane"
+  | "body", [ "LIGHTS"; _ ], _ ->
+      expected "light"
+        "a light (directional or spherical), or the objects of the scene:\n\
+         objects, sphere or plane. Settings stand before the lights"
   | "vector", [ _ ], _ -> expected "number" (vector "y")
   | "vector", _, _ -> expected "number" (vector "z")
   | "color", [ _ ], _ -> expected "number" (channel "green")

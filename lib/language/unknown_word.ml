@@ -25,7 +25,7 @@ let is_known text =
   let rec rest () =
     match Lexer.token words lexbuf with
     | EOF -> true
-    | WORD _ -> false
+    | WORD _ | STRING _ -> false
     | _ -> rest ()
   in
   rest ()

@@ -16,6 +16,7 @@ let () =
       Test_header.suite;
       Test_error_place.suite;
       Test_error_messages.suite;
+      Test_program_errors.suite;
       Test_load.suite;
       Test_round_trip.suite;
       Test_hostile.suite;

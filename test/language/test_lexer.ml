@@ -12,9 +12,9 @@ let show (token : Parser.token) =
       | None -> "?")
 
 let tokens text =
-  let lexbuf = Lexing.from_string text in
+  let lexbuf = Lexing.from_string text and words = Lexer.start () in
   let rec read () =
-    match Lexer.token lexbuf with
+    match Lexer.token words lexbuf with
     | Parser.EOF -> []
     | token ->
         let word = show token in
@@ -27,7 +27,7 @@ let check text expected =
 
 let test_numbers () =
   let check text expected =
-    match Lexer.token (Lexing.from_string text) with
+    match Lexer.token (Lexer.start ()) (Lexing.from_string text) with
     | NUMBER x -> Alcotest.check Test_support.Same.number text expected x
     | token -> Alcotest.failf "%s is %s" text (show token)
   in
@@ -83,8 +83,9 @@ let counts_lines =
   Test_support.Property.holds "counts lines as errors do" ~count:2000
     ~print:String.escaped text (fun text ->
       let lexbuf = Lexing.from_string text and index = Lines.index text in
+      let words = Lexer.start () in
       let rec all_same () =
-        let token = Lexer.token lexbuf in
+        let token = Lexer.token words lexbuf in
         let { Lexing.pos_cnum; pos_lnum; _ } = lexbuf.lex_start_p in
         pos_lnum = (Lines.at index pos_cnum).number + 1
         && (token = EOF || all_same ())

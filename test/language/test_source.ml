@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_language
 open Test_support
 

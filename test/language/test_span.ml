@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_language
 
 let check what expected actual = Alcotest.(check int) what expected actual
