@@ -3,7 +3,9 @@ type 'a t = (Expression.argument * 'a) list
 let make arguments = arguments
 
 let usage name parameters =
-  let one { Value.label; optional } = if optional then label ^ ": ..." else label in
+  let one { Value.label; optional } =
+    if optional then label ^ ": ..." else label
+  in
   Printf.sprintf "%s(%s)" name
     (String.concat ", " (List.map one (Array.to_list parameters)))
 

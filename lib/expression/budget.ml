@@ -9,7 +9,6 @@ let scene_steps = 100_000_000
 let pattern_steps = 100_000
 let most_made = 20_000_000
 let most_calls = 1_000
-
 let start ~steps = { steps = 0; made = 0; depth = 0; most_steps = steps }
 let scene () = start ~steps:scene_steps
 

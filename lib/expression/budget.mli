@@ -1,7 +1,7 @@
 (** What an evaluation may use up, so that it always ends.
 
-    All of it is counted, and nothing depends on time or on the stack: what ends
-    here ends so on every machine. *)
+    All of it is counted, and nothing depends on time or on the stack: what
+    ends here ends so on every machine. *)
 
 open Raylab_source
 

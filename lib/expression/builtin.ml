@@ -85,8 +85,9 @@ let table =
   Hashtbl.of_seq (List.to_seq (List.map (fun row -> (row.name, row)) all))
 
 let find name = Hashtbl.find_opt table name
-let constants = [ ("pi", Float.pi, "the circumference of a circle over its \
-                                    diameter") ]
+
+let constants =
+  [ ("pi", Float.pi, "the circumference of a circle over its diameter") ]
 
 let usage { name; parameters; _ } =
   Printf.sprintf "%s(%s)" name (String.concat ", " parameters)

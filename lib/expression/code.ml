@@ -9,7 +9,9 @@ type 'thing frame = {
 type 'thing t = 'thing frame -> 'thing Value.t
 
 let start run ~size =
-  let rec frame = { slots = Array.make size Value.Undefined; outer = frame; run } in
+  let rec frame =
+    { slots = Array.make size Value.Undefined; outer = frame; run }
+  in
   frame
 
 let need frame size =
@@ -18,12 +20,12 @@ let need frame size =
     let more = Array.make (Int.max 8 (size + present)) Value.Undefined in
     frame.slots <- Array.append frame.slots more
 
-let rec up frame levels = if levels = 0 then frame else up frame.outer (levels - 1)
+let rec up frame levels =
+  if levels = 0 then frame else up frame.outer (levels - 1)
 
 (* Names are bound in the innermost function only. *)
 let set (binding : Scope.binding) frame value =
-  if binding.slot >= Array.length frame.slots then
-    need frame (binding.slot + 1);
+  if binding.slot >= Array.length frame.slots then need frame (binding.slot + 1);
   frame.slots.(binding.slot) <- value
 
 (* {1 Names} *)
@@ -221,7 +223,9 @@ and compile_call : 'thing. _ -> _ -> _ -> _ -> _ -> 'thing t =
  fun scope e name name_span arguments ->
   let argument (a : Expression.argument) = (a, compile scope a.value) in
   let arguments = Arguments.make (List.map argument arguments) in
-  match (Scope.find scope name, Builtin.find (String.lowercase_ascii name)) with
+  match
+    (Scope.find scope name, Builtin.find (String.lowercase_ascii name))
+  with
   | None, Some f -> call_builtin e f arguments
   | _ ->
       let callee = compile_name scope name name_span ~calls:true in
@@ -269,17 +273,16 @@ and compile_part : 'thing. _ -> _ -> _ -> 'thing t =
     let { Raylab_geometry.Vec3.x; y; z } =
       Operation.vector frame.run vector (code frame)
     in
-    Value.Number
-      (match letter with 'x' | 'r' -> x | 'y' | 'g' -> y | _ -> z)
+    Value.Number (match letter with 'x' | 'r' -> x | 'y' | 'g' -> y | _ -> z)
 
 and rounds :
-      'thing.
-      Scope.t ->
-      Span.t ->
-      Expression.range ->
-      'thing frame ->
-      ('thing Value.t -> unit) ->
-      unit =
+    'thing.
+    Scope.t ->
+    Span.t ->
+    Expression.range ->
+    'thing frame ->
+    ('thing Value.t -> unit) ->
+    unit =
  fun scope span range ->
   match range with
   | In list ->
@@ -294,16 +297,12 @@ and rounds :
       let first = number scope first and last_at = last in
       let last = number scope last in
       let step_at = Option.value ~default:last_at step in
-      let step =
-        Option.fold ~none:(fun _ -> 1.) ~some:(number scope) step
-      in
+      let step = Option.fold ~none:(fun _ -> 1.) ~some:(number scope) step in
       fun frame f ->
         let first = first frame in
         let last = last frame in
         let step = step frame in
-        let count =
-          Rounds.count ~step_of:step_at ~first ~last ~step
-        in
+        let count = Rounds.count ~step_of:step_at ~first ~last ~step in
         let k = ref 0. in
         while !k < count do
           Budget.step frame.run.budget span;
@@ -313,7 +312,11 @@ and rounds :
 
 (* {1 Functions} *)
 
-type parameter = { name : string; span : Span.t; default : Expression.t option }
+type parameter = {
+  name : string;
+  span : Span.t;
+  default : Expression.t option;
+}
 
 let func scope ~name parameters body =
   let bind (inner, bound) { name; span; default } =

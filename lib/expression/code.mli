@@ -52,7 +52,11 @@ val rounds :
 
 (** {1 Functions} *)
 
-type parameter = { name : string; span : Span.t; default : Expression.t option }
+type parameter = {
+  name : string;
+  span : Span.t;
+  default : Expression.t option;
+}
 (** The type for parameters as they are written. *)
 
 val func :

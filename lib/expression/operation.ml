@@ -76,8 +76,7 @@ let calculate run e operator a b =
         | Divide -> x /. y
         | _ -> Power.pow x y
       in
-      if Float.is_finite z then Value.Number z
-      else not_finite run e symbol a b
+      if Float.is_finite z then Value.Number z else not_finite run e symbol a b
   | Vector u, Vector v when operator <> Power ->
       finite (map2 (arithmetic operator) u v)
   | Number x, Vector v when mixes operator `Right ->
@@ -143,8 +142,7 @@ let builtin run span (f : Builtin.t) arguments =
     Fault.fail span
       (Printf.sprintf "%s is not a finite number" (shown_call run f arguments))
   in
-  let number x =
-    if Float.is_finite x then Value.Number x else not_finite ()
+  let number x = if Float.is_finite x then Value.Number x else not_finite ()
   and vector v = if Vec3.is_finite v then Value.Vector v else not_finite () in
   match (f.body, arguments) with
   | Number f, [| Value.Number x |] -> number (f x)

@@ -9,18 +9,14 @@ val truth : 'thing Value.run -> Expression.t -> 'thing Value.t -> bool
 (** [truth run e value] is the same for a truth value. *)
 
 val vector :
-  'thing Value.run ->
-  Expression.t ->
-  'thing Value.t ->
-  Raylab_geometry.Vec3.t
+  'thing Value.run -> Expression.t -> 'thing Value.t -> Raylab_geometry.Vec3.t
 (** [vector run e value] is the same for a vector. *)
 
 val elements :
   'thing Value.run -> Expression.t -> 'thing Value.t -> 'thing Value.t array
 (** [elements run e value] is the same for a list. *)
 
-val wanted :
-  'thing Value.run -> Expression.t -> string -> 'thing Value.t -> 'a
+val wanted : 'thing Value.run -> Expression.t -> string -> 'thing Value.t -> 'a
 (** [wanted run e what value] raises {!Fault.Found}: [what] must stand there,
     such as ["a number"], and not [value]. *)
 

@@ -36,9 +36,7 @@ let bind scope ?(is_defined = true) name span =
   let binding = { level = scope.level; slot; span; is_defined } in
   ({ scope with names = Names.add (key name) binding scope.names }, binding)
 
-let enter scope =
-  { scope with level = scope.level + 1; room = { size = 0 } }
-
+let enter scope = { scope with level = scope.level + 1; room = { size = 0 } }
 let size scope = scope.room.size
 let level scope = scope.level
 let find scope name = Names.find_opt (key name) scope.names

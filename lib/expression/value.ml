@@ -74,8 +74,7 @@ and pp_list describe ppf elements =
       if k > 0 then Format.pp_print_string ppf ", ";
       pp describe ppf element)
     shown;
-  if count > most_shown then
-    Format.fprintf ppf ", ... %d in all" count;
+  if count > most_shown then Format.fprintf ppf ", ... %d in all" count;
   Format.pp_print_char ppf ']'
 
 let to_string describe value =
@@ -99,6 +98,9 @@ and equal_lists a b =
   else
     let rec from k =
       if k = Array.length a then Some true
-      else match equal a.(k) b.(k) with Some true -> from (k + 1) | other -> other
+      else
+        match equal a.(k) b.(k) with
+        | Some true -> from (k + 1)
+        | other -> other
     in
     from 0

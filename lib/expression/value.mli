@@ -44,8 +44,7 @@ and 'thing frame =
       arguments : (string * 'thing t) list;
       at : Span.t;
     }
-  | Round of { name : string; value : 'thing t; at : Span.t }
-      (** of a loop *)
+  | Round of { name : string; value : 'thing t; at : Span.t }  (** of a loop *)
 
 val list : 'thing t array -> 'thing t
 (** [list elements] is the value of these elements: a {!Vector} if they are

@@ -38,9 +38,7 @@ let rotated ~(axis : Direction.t) ~sin ~cos =
 
 let factor s = s.factor
 let direction { x; y; z; _ } v = Vec3.(make (dot x v) (dot y v) (dot z v))
-
-let point s p =
-  Vec3.add (Vec3.scale s.factor (direction s p)) s.way
+let point s p = Vec3.add (Vec3.scale s.factor (direction s p)) s.way
 
 let compose second first =
   let column v = direction second (direction first v) in

@@ -88,14 +88,13 @@ let three check scope rule name (a, b, c) (e : Expression.t) =
             require check rule (part name c) e v.z;
             v)
 
-let vector check scope name e =
-  three check scope Finite name ("x", "y", "z") e
+let vector check scope name e = three check scope Finite name ("x", "y", "z") e
 
 let direction check scope name (e : Expression.t) =
   let vector = vector check scope name e in
   fun frame ->
     let v = vector frame in
-    attempt check frame v (fun () ->
+    attempt check frame (Vec3.make 0. 1. 0.) (fun () ->
         if Vec3.equal v Vec3.zero then
           Fault.fail e.span
             (name ^ " must not be the zero vector")

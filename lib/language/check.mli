@@ -32,7 +32,8 @@ type 'a parameter = frame -> 'a
 val value : t -> Scope.t -> Expression.t -> Thing.t Value.t parameter
 (** [value check scope e] is [e]; {!Value.Undefined} if it is wrong. *)
 
-val number : t -> Scope.t -> Number.rule -> string -> Expression.t -> float parameter
+val number :
+  t -> Scope.t -> Number.rule -> string -> Expression.t -> float parameter
 (** [number check scope rule name e] is [e], called [name]. *)
 
 val vector : t -> Scope.t -> string -> Expression.t -> Vec3.t parameter

@@ -46,8 +46,8 @@ let whole header scope name ~least ~most (e : Expression.t) frame =
                 (Format.asprintf "%a" Number.pp x)
         in
         Fault.fail e.span
-          (Printf.sprintf "%s must be a whole number from %d to %d, not %s" name
-             least most found))
+          (Printf.sprintf "%s must be a whole number from %d to %d, not %s"
+             name least most found))
 
 let value header scope { Syntax.word; value = e; _ } frame =
   let number x = header.numbers <- (word, x) :: header.numbers in

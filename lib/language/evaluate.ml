@@ -162,23 +162,22 @@ let in_group check frame span body =
   | Scene _ -> Fault.fail span "no group"
 
 let rec compile_thing check scope (placed : Syntax.placed) :
-    (Check.frame -> Thing.t) =
+    Check.frame -> Thing.t =
   let make = compile_bare check scope placed in
   match List.map (compile_modifier check scope) placed.modifiers with
   | [] -> make
-  | modifiers ->
+  | modifiers -> (
       fun frame ->
         let thing = make frame in
         let change =
           List.fold_left
-            (fun before modifier ->
-              Similarity.compose (modifier frame) before)
+            (fun before modifier -> Similarity.compose (modifier frame) before)
             Similarity.identity modifiers
         in
         match thing with
         | Thing.Light node -> Light (Changed (change, node))
         | Object node -> Object (Changed (change, node))
-        | Surface _ -> thing
+        | Surface _ -> thing)
 
 and compile_bare check scope { Syntax.thing; span; line; _ } =
   match thing with
@@ -202,13 +201,13 @@ and compile_bare check scope { Syntax.thing; span; line; _ } =
   | Group items ->
       let body = compile_block check scope items in
       fun frame -> Thing.Object (in_group check frame span body)
-  | Reference e ->
+  | Reference e -> (
       let code = Code.compile scope e in
       fun frame ->
         match code frame with
         | Value.Thing ((Object _ | Light _) as thing) -> thing
         | value ->
-            Operation.wanted frame.Code.run e "an object or a light" value
+            Operation.wanted frame.Code.run e "an object or a light" value)
 
 and compile_item check scope (item : Syntax.item) : Scope.t * code =
   match item with
@@ -304,14 +303,12 @@ and compile_value check scope (value : Syntax.value) : Thing.t Code.t =
         Value.Thing (Surface (Check.whole check (fun () -> surface frame)))
   | Thing placed ->
       let thing = compile_thing check scope placed in
-      fun frame ->
-        Value.Thing (Check.whole check (fun () -> thing frame))
+      fun frame -> Value.Thing (Check.whole check (fun () -> thing frame))
 
 and compile_definition check scope d =
   let { Syntax.name; name_span; parameters; value } = d in
   let inner, binding =
-    Scope.bind scope name name_span
-      ~is_defined:(Option.is_some parameters)
+    Scope.bind scope name name_span ~is_defined:(Option.is_some parameters)
   in
   let code =
     match parameters with

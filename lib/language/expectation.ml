@@ -14,14 +14,9 @@ let after_word (keyword : Keyword.t) count =
 (* {1 Anything else} *)
 
 let expression = "a number, a name, a function or what stands in brackets"
-
-let surfaces =
-  "a surface: diffusive, reflective, luminous or mixed"
-
+let surfaces = "a surface: diffusive, reflective, luminous or mixed"
 let range = "= and the first value, or in and a list, after the name of a loop"
-
-let next_item =
-  "a shape: sphere or plane. Settings stand before the objects"
+let next_item = "a shape: sphere or plane. Settings stand before the objects"
 
 let vector letter =
   Printf.sprintf "the %s of a point or vector, which is three numbers: x y z"
@@ -33,7 +28,8 @@ let channel name =
 
 let value =
   "the value after =: a number, a colour, what stands in brackets, a surface, \
-   a light\nor an object"
+   a light\n\
+   or an object"
 
 let item_or_end opened =
   Printf.sprintf "the next item, or the end of the %s" opened
@@ -41,7 +37,7 @@ let item_or_end opened =
 (* What follows what has been read of a production. *)
 let rule whole before after =
   match (whole, before, after) with
-  | "scene", _, _ ->
+  | ("scene" | "scene'"), _, _ ->
       expected "keyword"
         "a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
          depth, bcolor, raydepth), or lights, objects, sphere or plane"
@@ -75,7 +71,9 @@ let rule whole before after =
       expected "item" "the next item, else, or the end of the if"
   | "otherwise", _, _ | ("else_items" | "some_else_items"), _, _ ->
       expected "item" (item_or_end "if")
-  | "items", _, _ | "things", _, _ -> expected "shape" next_item
+  | "separated_nonempty_list_COMMA_argument_", [ _ ], _ ->
+      expected "operator" "an operator, a comma, or ) to end the arguments"
+  | _, _, "items" :: _ | ("items" | "things"), _, _ -> expected "shape" next_item
   | _, _, ("modifiers" | "some_modifiers") :: _
   | ("modifiers" | "some_modifiers"), _, _ ->
       expected "shape"
@@ -101,8 +99,17 @@ let rule whole before after =
   | "range", _, "BY" :: _ ->
       expected "item" "the first item of the loop, or by and a step"
   | "range", _, _ -> expected "number" "a number of the loop: = FIRST to LAST by STEP"
+  | "bracketed", [ "LBRACKET" ], _ ->
+      expected "value" "the parts of a vector, the elements of a list, or for"
   | "bracketed", [ "LBRACKET"; "FOR" ], _ ->
       expected "name" "the name of the loop after for"
+  | "bracketed", _, "COLON" :: _ ->
+      expected "operator" "an operator, or : and what each round gives"
+  | "bracketed", _, "RBRACKET" :: _ ->
+      expected "operator" "an operator, or ] to close the list"
+  | "expr_range", _, "BY" :: _ ->
+      expected "operator"
+        "an operator, by and a step, or : and what each round gives"
   | "bracketed", _, "expr_range" :: _ -> expected "'=' or 'in'" range
   | "expr", [ "LET" ], _ -> expected "name" "a name after let"
   | "expr", [ "LET"; _ ], _ -> expected "'='" "= and a value after the name"

@@ -14,7 +14,11 @@ val source : t -> Source.t
 val error : t -> Span.t -> ?advice:string -> string -> unit
 (** [error findings span ~advice message] adds an error. *)
 
-val fault : t -> Raylab_expression.Fault.t -> Thing.t Raylab_expression.Value.frame list -> unit
+val fault :
+  t ->
+  Raylab_expression.Fault.t ->
+  Thing.t Raylab_expression.Value.frame list ->
+  unit
 (** [fault findings fault stack] adds what an evaluation found, and the calls
     and rounds that led there. The same fault in a later round or call is not
     told again. *)

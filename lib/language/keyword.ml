@@ -196,7 +196,9 @@ let all =
 
 let tokens is_it =
   let row { word; token; _ } = (String.lowercase_ascii word, token) in
-  let found = Hashtbl.of_seq (List.to_seq (List.map row (List.filter is_it table))) in
+  let found =
+    Hashtbl.of_seq (List.to_seq (List.map row (List.filter is_it table)))
+  in
   fun word -> Hashtbl.find_opt found (String.lowercase_ascii word)
 
 let token = tokens (fun { role; _ } -> role <> Operator)
@@ -205,7 +207,5 @@ let reserved = tokens (fun { role; _ } -> role = Structure)
 let reserved_inside =
   tokens (fun { role; _ } -> role = Structure || role = Operator)
 
-let of_symbol symbol =
-  List.find_opt (fun row -> row.symbol = symbol) table
-
+let of_symbol symbol = List.find_opt (fun row -> row.symbol = symbol) table
 let nearest = Raylab_expression.Nearest.find

@@ -3,9 +3,9 @@
     White space and comments separate words and are not seen. Outside of
     brackets every run of other characters, up to a bracket or an equals sign,
     is one token: a number, a name, a keyword, a colour name, or, if it is none
-    of these, a [WORD], which no rule of the grammar takes. In brackets it is an
-    ordinary language of expressions, where all words but the reserved ones are
-    names.
+    of these, a [WORD], which no rule of the grammar takes. In brackets it is
+    an ordinary language of expressions, where all words but the reserved ones
+    are names.
 
     A word that a definition, a loop or a parameter introduces is a name from
     there to the end of the block around it, whatever else it means. *)

@@ -1,4 +1,5 @@
-(** Things that are written in numbers alone, built as soon as they are read. *)
+(** Things that are written in numbers alone, built as soon as they are read.
+*)
 
 val object_ : Syntax.placed -> Syntax.item
 (** [object_ placed] is the object that [placed], a shape, writes, if all of it

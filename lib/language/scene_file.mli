@@ -4,11 +4,10 @@ open Raylab_scene
 
 val parse : ?time:float -> Source.t -> (Scene.t, Scene_error.t list) result
 (** [parse ~time source] is the scene that [source] describes at [time], by
-    default 0, or what is wrong with
-    it: one error of syntax, or all errors of validation in the order of the
-    text. It takes time linear in the size of the text and raises nothing,
-    whatever the bytes. More of them than {!max_size} are an error, without a
-    place. *)
+    default 0, or what is wrong with it: one error of syntax, or all errors of
+    validation in the order of the text. It takes time linear in the size of
+    the text and raises nothing, whatever the bytes. More of them than
+    {!max_size} are an error, without a place. *)
 
 val read : string -> (Source.t, Scene_error.t list) result
 (** [read path] is the text of the file at [path], or of standard input if

@@ -2,9 +2,9 @@
 
 val sentence :
   acceptable:(Parser.token -> bool) -> names:string list -> string -> string
-(** [sentence ~acceptable ~names word] asks whether one of the words was meant that
-    are [acceptable] where [word] stands: ["Did you mean 'diffusive'?"]. It is
-    [""] if there is nothing to suggest.
+(** [sentence ~acceptable ~names word] asks whether one of the words was meant
+    that are [acceptable] where [word] stands: ["Did you mean 'diffusive'?"].
+    It is [""] if there is nothing to suggest.
 
     A number with a decimal comma, or several with commas between them, is
     meant for numbers; a word of the trade ({!Synonym}) for ours, of which the

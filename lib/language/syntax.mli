@@ -71,10 +71,7 @@ and definition = {
   value : value;
 }
 
-and value =
-  | Expression of Expression.t
-  | Surface of surface
-  | Thing of placed
+and value = Expression of Expression.t | Surface of surface | Thing of placed
 
 type setting = { word : string; word_span : Span.t; value : Expression.t }
 (** A setting of the header. *)

@@ -49,7 +49,8 @@ let word_error source span ~acceptable ~names:known ~expected ~advice word =
   let message =
     if expected.[0] = '\'' then
       Printf.sprintf "%s should stand here, not '%s'" expected quoted
-    else if List.mem expected [ "number"; "name"; "condition"; "operator" ] then
+    else if List.mem expected [ "number"; "name"; "condition"; "operator" ]
+    then
       Printf.sprintf "'%s' is %s %s" quoted
         (if expected = "operator" then "no" else "not a")
         expected

@@ -10,9 +10,9 @@ val error :
   expected:string ->
   advice:string ->
   Scene_error.t
-(** [error source span ~acceptable ~names ~expected ~advice] is the error that the
-    word at [span] is unknown where [expected] was, such as ["surface"].
-    [advice] says more of that, [acceptable] which tokens may stand there, and [names]
-    which names are known.
-    If it is only a character that makes the word unknown, and one hardly sees
-    it ({!Lookalike}), the error is that character. *)
+(** [error source span ~acceptable ~names ~expected ~advice] is the error that
+    the word at [span] is unknown where [expected] was, such as ["surface"].
+    [advice] says more of that, [acceptable] which tokens may stand there, and
+    [names] which names are known. If it is only a character that makes the
+    word unknown, and one hardly sees it ({!Lookalike}), the error is that
+    character. *)

@@ -17,6 +17,8 @@ let () =
       Test_error_place.suite;
       Test_error_messages.suite;
       Test_program_errors.suite;
+      Test_program.suite;
+      Test_expectation.suite;
       Test_load.suite;
       Test_round_trip.suite;
       Test_hostile.suite;

@@ -24,8 +24,7 @@ sphere 0 0 6 (r) reflective sphere 0 0 6 (2 * r) reflective|};
     check "own definition"
       {|let red = diffusive red
                     ^^^ 'red' stands in its own definition|};
-    check "twice"
-      {|let a = 1
+    check "twice" {|let a = 1
 let A = 2
     ^ A is defined a second time|};
     check "after its block"
@@ -35,8 +34,7 @@ sphere 0 0 (i) 1 reflective
     check "reserved"
       {|let end = 1
     ^^^ a name should stand here, not 'end'|};
-    check "no name"
-      {|let my-ball = 1
+    check "no name" {|let my-ball = 1
     ^^^^^^^ 'my-ball' is not a name|};
     check "unknown function"
       {|sphere 0 0 (sine(3)) 1 reflective
@@ -152,7 +150,7 @@ let syntax =
               ^ the file ends where an operator should follow|};
     check "an open group"
       {|group sphere 0 0 6 1 reflective
-                               ^ the file ends where a shape should follow|};
+                               ^ the file ends where an item should follow|};
     check "a loop without a range"
       {|for i sphere 0 0 6 1 reflective end
       ^^^^^^ '=' or 'in' should stand here, not 'sphere'|};

@@ -2,7 +2,9 @@ open Raylab_language
 
 let check ~acceptable word expected =
   let acceptable token = List.mem token acceptable in
-  Alcotest.(check string) word expected (Suggestion.sentence ~acceptable ~names:[] word)
+  Alcotest.(check string)
+    word expected
+    (Suggestion.sentence ~acceptable ~names:[] word)
 
 let settings =
   Parser.

@@ -8,12 +8,16 @@ end)
 open Grammar
 
 let symbol (symbol, _, _) =
-  match symbol with T t -> Terminal.name t | N n -> Nonterminal.mangled_name n
+  match symbol with
+  | T t -> Terminal.name t
+  | N n -> Nonterminal.mangled_name n
 
 let item (production, dot) =
   let before = Array.sub (Production.rhs production) 0 dot
   and after =
-    Array.sub (Production.rhs production) dot
+    Array.sub
+      (Production.rhs production)
+      dot
       (Array.length (Production.rhs production) - dot)
   in
   let list symbols =
