@@ -41,7 +41,7 @@ let rule whole before after =
       expected "keyword"
         "a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
          depth, bcolor, raydepth), or lights, objects, sphere or plane"
-  | "body", [ "LIGHTS"; _ ], _ ->
+  | "body", [ "LIGHTS"; _ ], _ | "simple_thing", [ "light" ], _ ->
       expected "light"
         "a light (directional or spherical), or the objects of the scene:\n\
          objects, sphere or plane. Settings stand before the lights"

@@ -57,10 +57,12 @@ A project of somebody else's renders with the libraries. The core needs little.
 
   $ ocamlfind query -recursive -format %p raylab.language raylab.tracer | sort
   menhirLib
+  raylab.expression
   raylab.geometry
   raylab.language
   raylab.parallel
   raylab.scene
+  raylab.source
   raylab.tracer
   $ ocamlfind query -recursive -format %p raylab.language raylab.viewer |
   >   grep -E 'unix|thread|graphics|zip|utop'

@@ -32,7 +32,14 @@ let check_words lines =
       (List.exists (fun line -> contains line quoted) places)
       "the page has no %s" quoted
   in
-  List.iter check Keyword.all
+  List.iter check Keyword.all;
+  let has_function f =
+    let quoted = Printf.sprintf "`%s`" (Raylab_expression.Builtin.usage f) in
+    require
+      (List.exists (fun line -> contains line quoted) lines)
+      "the page has no %s" quoted
+  in
+  List.iter has_function Raylab_expression.Builtin.all
 
 (* Line ends and blanks only separate words. *)
 let normal text =
