@@ -93,11 +93,9 @@ let compare run e operator a b =
   | Number x, Number y, _ -> x >= y
   | _ -> misfit run e (Expression.symbol operator) a b
 
-let size = function Value.List elements -> Array.length elements | _ -> 1
-
 let equal (run : _ Value.run) (e : Expression.t) operator a b =
-  Budget.steps run.budget e.span (size a);
-  match Value.equal a b with
+  let step () = Budget.step run.budget e.span in
+  match Value.equal ~step a b with
   | Some same -> same
   | None -> misfit run e (Expression.symbol operator) a b
 

@@ -83,24 +83,23 @@ let to_string describe value =
   Format.fprintf ppf "%a@?" (pp describe) value;
   Buffer.contents text
 
-let rec equal a b =
+let rec equal ~step a b =
+  step ();
   match (a, b) with
   | Number x, Number y -> Some (x = y)
   | Truth x, Truth y -> Some (Bool.equal x y)
   | Text x, Text y -> Some (String.equal x y)
   | Vector u, Vector v -> Some (Vec3.equal u v)
-  | List a, List b -> equal_lists a b
+  | List a, List b -> equal_lists ~step a b
   | (Vector _ | List _), (Vector _ | List _) -> Some false
   | _ -> None
 
-and equal_lists a b =
-  if Array.length a <> Array.length b then Some false
-  else
-    let rec from k =
-      if k = Array.length a then Some true
-      else
-        match equal a.(k) b.(k) with
-        | Some true -> from (k + 1)
-        | other -> other
-    in
-    from 0
+and equal_lists ~step a b =
+  let rec from k =
+    if k = Array.length a then Some true
+    else
+      match equal ~step a.(k) b.(k) with
+      | Some true -> from (k + 1)
+      | other -> other
+  in
+  if Array.length a <> Array.length b then Some false else from 0

@@ -63,7 +63,8 @@ val pp : ('thing -> string) -> Format.formatter -> 'thing t -> unit
 val to_string : ('thing -> string) -> 'thing t -> string
 (** [to_string describe value] is what {!pp} prints. *)
 
-val equal : 'thing t -> 'thing t -> bool option
-(** [equal a b] is whether [a] and [b] are the same number, truth value, text
-    or list; [None] if they are of two kinds, or of one that is not compared.
-    An element makes a list so only if those before it are equal. *)
+val equal : step:(unit -> unit) -> 'thing t -> 'thing t -> bool option
+(** [equal ~step a b] is whether [a] and [b] are the same number, truth value,
+    text or list; [None] if they are of two kinds, or of one that is not
+    compared. An element makes a list so only if those before it are equal.
+    [step] is called for each two values that are compared. *)

@@ -147,6 +147,8 @@ let compile_modifier check scope { Syntax.change; span } =
 
 (* {1 Items} *)
 
+let nowhere = Span.make ~start:0 ~stop:0
+
 let report check span ~advice message =
   Findings.error (Check.findings check) span message ~advice
 
@@ -199,7 +201,7 @@ and compile_bare check scope { Syntax.thing; span; line; _ } =
         let build = Check.whole check (fun () -> light frame) in
         Thing.Light (Lamp (Light.with_line (Some line) (build ())))
   | Group items ->
-      let body = compile_block check scope items in
+      let body = compile_block check scope ~at:span items in
       fun frame -> Thing.Object (in_group check frame span body)
   | Reference e -> (
       let code = Code.compile scope e in
@@ -209,14 +211,22 @@ and compile_bare check scope { Syntax.thing; span; line; _ } =
         | value ->
             Operation.wanted frame.Code.run e "an object or a light" value)
 
-and compile_item check scope (item : Syntax.item) : Scope.t * code =
+and compile_item check scope ~at (item : Syntax.item) : Scope.t * code =
   match item with
   | Ready_object o ->
       let node = Thing.Leaf o in
-      (scope, fun _ sink -> add_ready sink node)
+      ( scope,
+        fun frame sink ->
+          (* what a block repeats is not written each time *)
+          Budget.make frame.run.budget at 1;
+          add_ready sink node )
   | Ready_light l ->
       let node = Thing.Lamp l in
-      (scope, fun _ sink -> add_ready sink node)
+      ( scope,
+        fun frame sink ->
+          (* what a block repeats is not written each time *)
+          Budget.make frame.run.budget at 1;
+          add_ready sink node )
   | Placed placed ->
       let thing = compile_thing check scope placed in
       ( scope,
@@ -233,8 +243,9 @@ and compile_item check scope (item : Syntax.item) : Scope.t * code =
       (scope, compile_for check scope name name_span range body)
   | If { condition; yes; no } ->
       let test = Code.truth scope condition in
-      let yes = compile_block check scope yes
-      and no = compile_block check scope no in
+      let at = condition.span in
+      let yes = compile_block check scope ~at yes
+      and no = compile_block check scope ~at no in
       ( scope,
         fun frame sink ->
           protect check frame (fun () ->
@@ -250,7 +261,7 @@ and add_ready sink node =
 and compile_for check scope name name_span range body : code =
   let each = Code.rounds scope name_span range in
   let inner, binding = Scope.bind scope name name_span in
-  let body = compile_block check inner body in
+  let body = compile_block check inner ~at:name_span body in
   fun frame sink ->
     protect check frame (fun () ->
         let run = frame.run in
@@ -261,11 +272,11 @@ and compile_for check scope name name_span range body : code =
             body frame sink);
         run.stack <- around)
 
-and compile_block check scope items : code =
+and compile_block check scope ~at items : code =
   let check_twice = Hashtbl.create 7 in
   let compile (scope, codes) item =
     tell_twice check check_twice item;
-    let scope, code = compile_item check scope item in
+    let scope, code = compile_item check scope ~at item in
     (scope, code :: codes)
   in
   let _, codes = List.fold_left compile (scope, []) items in
@@ -273,7 +284,7 @@ and compile_block check scope items : code =
   fun frame sink ->
     Array.iter
       (fun code ->
-        Budget.step frame.Code.run.budget (Span.make ~start:0 ~stop:0);
+        Budget.step frame.Code.run.budget at;
         code frame sink)
       codes
 
@@ -325,8 +336,6 @@ and compile_definition check scope d =
 
 (* {1 The scene} *)
 
-let nowhere = Span.make ~start:0 ~stop:0
-
 let start check time =
   let findings = Check.findings check in
   let run =
@@ -352,7 +361,7 @@ let run_items check scope frame sink names items =
               scope
           | item ->
               tell_twice check names item;
-              let scope, code = compile_item check scope item in
+              let scope, code = compile_item check scope ~at:nowhere item in
               Code.need frame (Scope.size scope);
               code frame sink;
               scope

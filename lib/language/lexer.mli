@@ -23,9 +23,10 @@ val token : state -> Lexing.lexbuf -> Parser.token
 val names : state -> string list
 (** [names state] is the names that are known, in lower case. *)
 
-val too_deep : state -> int option
-(** [too_deep state] is the offset where more than 1,000 brackets or blocks are
-    open. *)
+val too_deep : state -> (int * string) option
+(** [too_deep state] is the first offset where more than 1,000 brackets or
+    blocks are open, or more than 1,000 operators stand between two brackets or
+    commas, and what is said of it. *)
 
 val taken : state -> (string * int) list
 (** [taken state] is the words of the language that became names, in the order

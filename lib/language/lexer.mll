@@ -12,13 +12,14 @@ type state = {
   mutable after : after;
   mutable starts_parameter : bool;
   mutable after_else : bool;
-  mutable too_deep : int option;
+  mutable operators : int list;  (* of the brackets that are open *)
+  mutable too_deep : (int * string) option;
   mutable taken : (string * int) list;
 }
 
 let start () =
   { blocks = [ [] ]; depth = 0; after = Other; starts_parameter = false;
-    after_else = false; too_deep = None; taken = [] }
+    after_else = false; operators = []; too_deep = None; taken = [] }
 
 let too_deep state = state.too_deep
 let taken state = List.rev state.taken
@@ -40,13 +41,15 @@ let introduce state (lexbuf : Lexing.lexbuf) word =
 
 let deepest = 1000
 
-let check_depth state (lexbuf : Lexing.lexbuf) depth =
+let check_depth state (lexbuf : Lexing.lexbuf) depth message =
   if depth > deepest && state.too_deep = None then
-    state.too_deep <- Some lexbuf.lex_start_p.pos_cnum
+    state.too_deep <- Some (lexbuf.lex_start_p.pos_cnum, message)
 
 let open_block state lexbuf =
   state.blocks <- [] :: state.blocks;
-  check_depth state lexbuf (List.length state.blocks - 1)
+  check_depth state lexbuf
+    (List.length state.blocks - 1)
+    "blocks are nested deeper than 1,000"
 
 let close_block state =
   match state.blocks with
@@ -55,10 +58,28 @@ let close_block state =
 
 let open_bracket state lexbuf =
   state.depth <- state.depth + 1;
-  check_depth state lexbuf state.depth
+  state.operators <- 0 :: state.operators;
+  check_depth state lexbuf state.depth "brackets are nested deeper than 1,000"
+
+(* What an operator has on both sides may be deep, too. *)
+let operator state lexbuf token =
+  match state.operators with
+  | count :: around ->
+      state.operators <- (count + 1) :: around;
+      check_depth state lexbuf (count + 1)
+        "there are more than 1,000 operators in one expression";
+      token
+  | [] -> token
+
+let next_element state =
+  match state.operators with
+  | _ :: around -> state.operators <- 0 :: around
+  | [] -> ()
 
 let close_bracket state =
   state.depth <- Int.max 0 (state.depth - 1);
+  state.operators <-
+    (match state.operators with _ :: around -> around | [] -> []);
   if state.depth = 0 then state.after <- Other
 
 (* {1 Words outside of brackets} *)
@@ -124,7 +145,7 @@ let number (lexbuf : Lexing.lexbuf) =
 
 let name_inside state lexbuf text =
   match Keyword.reserved_inside text with
-  | Some token -> token
+  | Some token -> operator state lexbuf token
   | None ->
       if state.after = Parameters && state.depth = 1 && state.starts_parameter
       then introduce state lexbuf text;
@@ -171,20 +192,26 @@ and expression state = parse
         else (without_last lexbuf; name_inside state lexbuf text) }
   | name as text { name_inside state lexbuf text }
   | '.' (['x' 'y' 'z' 'r' 'g' 'b' 'X' 'Y' 'Z' 'R' 'G' 'B'] as letter)
-      { PART (Char.lowercase_ascii letter) }
+      { operator state lexbuf (Parser.PART (Char.lowercase_ascii letter)) }
   | '.' name as text { WORD text }
   | '(' { open_bracket state lexbuf; LPAREN }
   | '[' { open_bracket state lexbuf; LBRACKET }
   | ')' { close_bracket state; RPAREN }
   | ']' { close_bracket state; RBRACKET }
   | ','
-      { state.starts_parameter <- true; COMMA }
+      { next_element state; state.starts_parameter <- true; COMMA }
   | ':' { state.starts_parameter <- false; COLON }
-  | '+' { PLUS } | '-' { MINUS } | '*' { TIMES } | '/' { DIVIDE }
-  | '^' { POWER }
-  | '=' { EQUAL } | "<>" { DIFFERENT }
-  | "<=" { LESS_EQUAL } | '<' { LESS } | ">=" { GREATER_EQUAL }
-  | '>' { GREATER }
+  | '+' { operator state lexbuf Parser.PLUS }
+  | '-' { operator state lexbuf Parser.MINUS }
+  | '*' { operator state lexbuf Parser.TIMES }
+  | '/' { operator state lexbuf Parser.DIVIDE }
+  | '^' { operator state lexbuf Parser.POWER }
+  | '=' { operator state lexbuf Parser.EQUAL }
+  | "<>" { operator state lexbuf Parser.DIFFERENT }
+  | "<=" { operator state lexbuf Parser.LESS_EQUAL }
+  | '<' { operator state lexbuf Parser.LESS }
+  | ">=" { operator state lexbuf Parser.GREATER_EQUAL }
+  | '>' { operator state lexbuf Parser.GREATER }
   | "==" | "!=" as text { WORD text }
   | '"' ([^ '"' '\n' '\r']* as text) '"' { STRING text }
   | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#' '(' ')' '[' ']' ',' ':' '+' '*' '/'
@@ -195,5 +222,7 @@ and expression state = parse
 
 {
 let token state lexbuf =
-  if state.depth > 0 then expression state lexbuf else item state lexbuf
+  if state.too_deep <> None then Parser.EOF
+  else if state.depth > 0 then expression state lexbuf
+  else item state lexbuf
 }

@@ -74,10 +74,8 @@ let explain_error source =
   let start = Slow_parser.Incremental.scene Lexing.dummy_pos in
   run (start, Parser.EOF, Lexing.dummy_pos, Lexing.dummy_pos) start
 
-let too_deep source offset =
-  Scene_error.make source
-    (Span.make ~start:offset ~stop:(offset + 1))
-    "brackets and blocks are nested deeper than 1,000"
+let too_deep source (offset, message) =
+  Scene_error.make source (Span.make ~start:offset ~stop:(offset + 1)) message
 
 let parse source =
   let words = Lexer.start () in
@@ -87,5 +85,5 @@ let parse source =
     | exception Parser.Error -> explain_error source
   in
   match Lexer.too_deep words with
-  | Some offset -> Error (too_deep source offset)
+  | Some found -> Error (too_deep source found)
   | None -> result

@@ -47,6 +47,10 @@ let random_bytes = holds "random bytes" QCheck2.Gen.(string_size (0 -- 60))
 let words =
   List.map fst Keyword.all
   @ [ "0"; "1"; "-1"; ".5"; "1e999"; "1e-999"; "1.2.3"; "2147483648" ]
+  @ [ "("; ")"; "["; "]"; "="; ","; ":"; "+"; "-"; "*"; "/"; "^"; "<"; ">=" ]
+  @ [
+      "a"; "b"; "f("; "a("; "\"t\""; "\""; "p.x"; "and"; "not"; "then"; "true";
+    ]
   @ [
       "difuse";
       "shpere";
