@@ -54,7 +54,7 @@ let kind describe = function
 
 let most_shown = 4
 
-let rec pp describe ppf = function
+let rec pp_with describe ppf = function
   | Number x -> Number.pp ppf x
   | Truth truth -> Format.pp_print_bool ppf truth
   | Text text -> Format.fprintf ppf "\"%s\"" text
@@ -72,7 +72,7 @@ and pp_list describe ppf elements =
   Array.iteri
     (fun k element ->
       if k > 0 then Format.pp_print_string ppf ", ";
-      pp describe ppf element)
+      pp_with describe ppf element)
     shown;
   if count > most_shown then Format.fprintf ppf ", ... %d in all" count;
   Format.pp_print_char ppf ']'
@@ -80,7 +80,7 @@ and pp_list describe ppf elements =
 let to_string describe value =
   let text = Buffer.create 16 in
   let ppf = Format.formatter_of_buffer text in
-  Format.fprintf ppf "%a@?" (pp describe) value;
+  Format.fprintf ppf "%a@?" (pp_with describe) value;
   Buffer.contents text
 
 let rec equal ~step a b =

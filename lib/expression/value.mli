@@ -56,12 +56,12 @@ val elements : 'thing t -> 'thing t array option
 val kind : ('thing -> string) -> 'thing t -> string
 (** [kind describe value] is what [value] is: ["a number"]. *)
 
-val pp : ('thing -> string) -> Format.formatter -> 'thing t -> unit
-(** [pp describe] prints [2.5], [true], ["a"], [[1, 0, 0]], the first elements
-    of a list, the name of a function, and the {!kind} of a thing. *)
+val pp_with : ('thing -> string) -> Format.formatter -> 'thing t -> unit
+(** [pp_with describe] prints [2.5], [true], ["a"], [[1, 0, 0]], the first
+    elements of a list, the name of a function, and the {!kind} of a thing. *)
 
 val to_string : ('thing -> string) -> 'thing t -> string
-(** [to_string describe value] is what {!pp} prints. *)
+(** [to_string describe value] is what {!pp_with} prints. *)
 
 val equal : step:(unit -> unit) -> 'thing t -> 'thing t -> bool option
 (** [equal ~step a b] is whether [a] and [b] are the same number, truth value,

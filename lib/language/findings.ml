@@ -56,6 +56,14 @@ let trace source stack =
   in
   List.map (frame source) shown @ more
 
+let longest_message = 300
+
+(* Values may have any text in them, and be long. *)
+let told text =
+  let text = Source.printable text in
+  if String.length text <= longest_message then text
+  else Source.printable (String.sub text 0 longest_message) ^ "..."
+
 let fault findings { Fault.span; message; advice; _ } stack =
   (* one mistake is not told of each round *)
   let place = (span, match stack with [] -> message | _ -> "") in
@@ -63,7 +71,8 @@ let fault findings { Fault.span; message; advice; _ } stack =
     Hashtbl.add findings.faults place ();
     let lines = trace findings.source stack in
     let lines = if advice = "" then lines else lines @ [ advice ] in
-    error findings span message ~advice:(String.concat "\n" lines))
+    error findings span (told message)
+      ~advice:(String.concat "\n" (List.map told lines)))
 
 let untold findings =
   let tell span =

@@ -71,11 +71,11 @@ let test_hue () =
   check "grey" None (rgb 0.5 0.55 0.5);
   check "black" None (rgb 0.07 0. 0.)
 
-(* The eight names of the scene language are their own words. *)
+(* The first eight names of the scene language are their own words. *)
 let test_names () =
   List.iter
     (fun (name, color) -> check name name (Color_word.of_color color))
-    Color.names
+    (List.filteri (fun k _ -> k < 8) Color.names)
 
 let any_color =
   let words =

@@ -19,7 +19,7 @@ ASCII.
   $ say check "$esc.scene"
   0: a?[31mb?c??.scene: warning: there is no object: the picture is all background
   $ say check "bad$esc"
-  0: bada?[31mb?c??:1:9-15: error: '?[31m?' is not a number
+  0: bada?[31mb?c??:1:9: error: U+001B, a control character, is not seen, and belongs to no word
   $ say check "missing$esc"
   0: missinga?[31mb?c??: error: No such file or directory
   $ say render "$esc.scene" -o "./$esc.scene"

@@ -25,7 +25,15 @@ let test_names () =
   named "cyan" 0. 1. 1.;
   named "magenta" 1. 0. 1.;
   named "yellow" 1. 1. 0.;
-  Alcotest.(check int) "no more" 8 (List.length Color.names)
+  named "grey" 0.5 0.5 0.5;
+  named "gray" 0.5 0.5 0.5;
+  named "orange" 1. 0.5 0.;
+  named "brown" 0.5 0.25 0.1;
+  named "pink" 1. 0.6 0.75;
+  named "purple" 0.5 0. 0.5;
+  named "gold" 1. 0.78 0.3;
+  named "silver" 0.75 0.75 0.78;
+  Alcotest.(check int) "no more" 16 (List.length Color.names)
 
 let test_bytes () =
   Alcotest.check Same.levels "each channel" (255, 128, 0)
