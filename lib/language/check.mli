@@ -24,13 +24,14 @@ val attempt : t -> frame -> 'a -> (unit -> 'a) -> 'a
 
 val whole : t -> (unit -> 'a) -> 'a
 (** [whole check build] is [build ()]. If anything in it was told to be wrong,
-    it raises {!Fault.Known}. *)
+    it raises {!Raylab_expression.Fault.Known}. *)
 
 type 'a parameter = frame -> 'a
 (** The type for parameters, made ready to be evaluated. *)
 
 val value : t -> Scope.t -> Expression.t -> Thing.t Value.t parameter
-(** [value check scope e] is [e]; {!Value.Undefined} if it is wrong. *)
+(** [value check scope e] is [e]; {!Raylab_expression.Value.Undefined} if it is
+    wrong. *)
 
 val number :
   t -> Scope.t -> Number.rule -> string -> Expression.t -> float parameter
