@@ -30,7 +30,7 @@ val set : Scope.binding -> 'thing frame -> 'thing Value.t -> unit
 
 val compile : Scope.t -> Expression.t -> 'thing t
 (** [compile scope e] evaluates [e]. A name that [scope] does not know is told
-    once, by its {!Scope.report}. *)
+    once, by its {!Scope.type-report}. *)
 
 val number : Scope.t -> Expression.t -> 'thing frame -> float
 (** [number scope e] evaluates [e], which must be a number. *)
