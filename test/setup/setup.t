@@ -59,9 +59,9 @@ Where apt has OCaml 5
 ---------------------
 
   $ full_setup debian13 0 - --dry-run
-  setup: to be installed by apt: ocaml>=5.1 ocaml-findlib ocaml-dune>=3.17 menhir>=20230415 libmenhir-ocaml-dev utop libgraphics-ocaml-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
+  setup: to be installed by apt: ocaml>=5.1 ocaml-findlib ocaml-dune>=3.17 menhir>=20230415 libmenhir-ocaml-dev utop libgraphics-ocaml-dev libx11-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   env DEBIAN_FRONTEND=noninteractive apt-get update
-  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
+  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libx11-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   $ setup debian13 1000 sudo --dry-run --test
   setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs
   sudo env DEBIAN_FRONTEND=noninteractive apt-get update
@@ -94,6 +94,7 @@ Only what is missing is installed, or too old, or removed but for its settings.
   > libmenhir-ocaml-dev 20240715+ds-1+b2 installed
   > utop 2.15.0-1+b9 config-files
   > libgraphics-ocaml-dev 5.1.2-3+b4 installed
+  > libx11-dev 2:1.8.12-1 installed
   > libzip-ocaml-dev 1.13-1+b2 installed
   > libcmdliner-ocaml-dev 1.3.0-2+b3 installed
   > libyojson-ocaml-dev 2.2.2-1+b2 installed
