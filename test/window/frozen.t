@@ -15,7 +15,7 @@ raylab itself asks for the screen's size first, and for some seconds only. With 
 blank in its name the display is one that only the X library knows, whose socket
 is then the first.
 
-  $ has_socket () { ls -l /proc/$pid/fd | grep -q 'socket:'; }
+  $ has_socket () { ls -l /proc/$pid/fd 2>/dev/null | grep -q 'socket:'; }
   $ silent=": ${DISPLAY#:}"
   $ kill -STOP $server
   $ for signal in INT TERM HUP; do
@@ -42,7 +42,7 @@ raylab hangs once its main thread takes no turn any more: in a window that
 answers it takes ten a second. (Were it seen to hang too early, this would test
 less, but not fail.)
 
-  $ turns () { grep -h ctxt /proc/$pid/task/$pid/status; }
+  $ turns () { grep -hs ctxt /proc/$pid/task/$pid/status; }
   $ hangs () { before=$(turns); sleep 0.3; test "$before" = "$(turns)"; }
   $ for signal in INT TERM HUP; do
   >   start red.scene view red.scene
