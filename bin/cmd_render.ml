@@ -1,7 +1,7 @@
 open Cmdliner
 open Raylab_parallel
 open Raylab_scene
-open Raylab_language
+open Raylab_source
 open Raylab_tracer
 open Raylab_picture
 open Raylab_band
@@ -88,9 +88,9 @@ let check_picture format options target { Camera.width; height; _ } =
   or_write_error (Picture_file.check_size format ~width ~height);
   check_target format target ~width ~height
 
-let band options source { Camera.width; height; _ } =
+let band options sources { Camera.width; height; _ } =
   let of_rows { Render.first; last } =
-    let scene = Digest.string (Source.text source)
+    let scene = Sources.digest sources
     and grey = Options.is_grey options.view in
     Band.make
       { width; height; grey; scene; version = Version.number }
@@ -143,13 +143,12 @@ let render options () =
   let path = path options in
   let target = target path in
   let format = format options path in
-  let source = Command.read_scene options.scene in
-  let written = Command.parse_scene source in
+  let sources, written = Command.read_scene options.scene in
   let scene = Options.adjust options.view written in
   check_rows options scene.camera;
   check_picture format options target scene.camera;
   if not options.quiet then Options.warn options.view written;
-  let band = band options source scene.camera in
+  let band = band options sources scene.camera in
   let progress = Progress.start ~quiet:options.quiet in
   let started = Unix.gettimeofday () in
   let domains =

@@ -1,6 +1,6 @@
 open Cmdliner
 open Raylab_scene
-open Raylab_language
+open Raylab_source
 open Raylab_picture
 open Raylab_slurm
 
@@ -87,19 +87,34 @@ let submit folder =
   | _, WEXITED 0 -> ()
   | _ -> Command.write_error (script ^ " has failed; it may be run again")
 
+(* Names in the folder of the job: what the scene names relative to itself is
+   there under the same relative name. *)
+let files sources =
+  let beside main path =
+    let folder = Filename.concat (Filename.dirname main) "" in
+    if String.starts_with ~prefix:folder path then
+      let n = String.length folder in
+      String.sub path n (String.length path - n)
+    else path
+  in
+  match Sources.files sources with
+  | [] -> []
+  | main :: others ->
+      let named { Sources.path; text; _ } = (beside main.path path, text) in
+      (Job.scene, main.text) :: List.map named others
+
 let slurm options () =
   let format = check_out options in
   let out = absolute options.out in
   check_place options.out;
-  let source = Command.read_scene options.scene in
-  let written = Command.parse_scene source in
+  let sources, written = Command.read_scene options.scene in
   let scene = Options.adjust options.view written in
   check_bands options scene.camera;
   check_whole format scene.camera;
   Options.warn options.view written;
   let folder = Filename.remove_extension out ^ ".slurm" in
   let job = job options ~out scene.camera in
-  or_write_error (Folder.write folder ~scene:(Source.text source) job);
+  or_write_error (Folder.write folder ~files:(files sources) job);
   if options.submit then submit folder
   else
     Command.say "wrote %s; to submit it, run %s" folder (Folder.submit folder)

@@ -13,17 +13,18 @@ type options = {
 }
 
 let adjust { view; no_lines; _ } scene =
-  Options.adjust view (if no_lines then Scene.without_lines scene else scene)
+  Options.adjust view (if no_lines then Scene.without_places scene else scene)
 
-let load options = Window.load options.scene ~adjust:(adjust options)
+let load ?watch options =
+  Window.load options.scene ?watch ~adjust:(adjust options)
 
-let first options =
+let first ?watch options =
   if options.watch then
     let adjust scene =
       Options.warn options.view scene;
       adjust options scene
     in
-    match Window.load options.scene ~adjust () with
+    match Window.load options.scene ?watch ~adjust () with
     | Ok scene -> View.Scene scene
     | Error message -> Error message
   else
@@ -51,11 +52,11 @@ let view options () =
   Option.iter check_out options.out;
   (* before the scene is read, so that no change is missed *)
   let watch = if options.watch then Some (Watch.start path) else None in
-  let first = first options in
+  let first = first ?watch options in
   let load () =
     match first with
     | Scene scene when Scene_path.is_stream path -> Ok scene
-    | _ -> load options ()
+    | _ -> load ?watch options ()
   in
   match
     Window.show ?domains:options.domains ?watch ~output:stdout

@@ -1,4 +1,5 @@
 open Cmdliner
+open Raylab_source
 open Raylab_language
 
 exception Ended of int
@@ -14,14 +15,14 @@ let print_line line =
 (* File names and the like come from outside, and a terminal obeys what it is
    sent. *)
 let tell format =
-  Printf.ksprintf (fun text -> print_line (Source.printable text)) format
+  Printf.ksprintf (fun text -> print_line (Printable.text text)) format
 
 let say format = tell ("raylab: " ^^ format)
 
 let usage_errors =
   let out = Format.pp_get_formatter_out_functions Format.err_formatter () in
   let out_string text first length =
-    let text = Source.printable (String.sub text first length) in
+    let text = Printable.text (String.sub text first length) in
     out.out_string text 0 (String.length text)
   in
   Format.formatter_of_out_functions { out with out_string }
@@ -47,15 +48,17 @@ let scene_arg =
 
 let print_error error = print_line (Format.asprintf "%a" Scene_error.pp error)
 
-let or_errors = function
-  | Ok value -> value
+let scene_or_errors = function
+  | Ok scene -> scene
   | Error errors ->
       List.iter print_error errors;
       raise (Ended Exit_code.scene_error)
 
-let read_scene path = or_errors (Scene_file.read path)
-let parse_scene source = or_errors (Scene_file.parse source)
-let load_scene path = or_errors (Scene_file.load path)
+let read_scene path =
+  let { Scene_file.sources; scene } = Scene_file.read path in
+  (sources, scene_or_errors scene)
+
+let load_scene path = scene_or_errors (Scene_file.load path)
 
 let is_same_file a b =
   match (Unix.stat a, Unix.stat b) with

@@ -4,15 +4,15 @@
 
 val tell : ('a, unit, string, unit) format4 -> 'a
 (** [tell "..." ...] prints a line on standard error, if that can be written
-    to. It prints {!Raylab_language.Source.printable} characters only. *)
+    to. It prints {!Raylab_source.Printable} characters only. *)
 
 val say : ('a, unit, string, unit) format4 -> 'a
 (** [say "..." ...] is {!tell} with the name of the program before it. *)
 
 val usage_errors : Format.formatter
-(** [usage_errors] prints on standard error, and
-    {!Raylab_language.Source.printable} characters only: what Cmdliner has to
-    say about a command line, which may quote any bytes. *)
+(** [usage_errors] prints on standard error, and {!Raylab_source.Printable}
+    characters only: what Cmdliner has to say about a command line, which may
+    quote any bytes. *)
 
 (** {1 Ends} *)
 
@@ -41,11 +41,9 @@ val load_scene : string -> Raylab_scene.Scene.t
 (** [load_scene path] is the scene at [path], or it prints what is wrong with
     it on standard error and ends the program. *)
 
-val read_scene : string -> Raylab_language.Source.t
-(** [read_scene path] is the text of the scene at [path], or likewise. *)
-
-val parse_scene : Raylab_language.Source.t -> Raylab_scene.Scene.t
-(** [parse_scene source] is the scene that [source] describes, or likewise. *)
+val read_scene : string -> Raylab_source.Sources.t * Raylab_scene.Scene.t
+(** [read_scene path] is likewise all files of the scene at [path], and the
+    scene. *)
 
 val is_same_file : string -> string -> bool
 (** [is_same_file a b] is whether there is one file that both paths lead to. *)

@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_scene
 open Raylab_language
 open Raylab_picture
@@ -11,8 +12,14 @@ let check_size (scene : Scene.t) =
   let { Camera.width; height; _ } = scene.camera in
   Picture_file.check_size Bmp ~width ~height
 
-let load path ~adjust () =
-  match Scene_file.load path with
+let load path ?watch ~adjust () =
+  let { Scene_file.sources; scene } = Scene_file.read path in
+  let follow watch =
+    Watch.follow watch
+      (List.map (fun file -> file.Sources.path) (Sources.files sources))
+  in
+  Option.iter follow watch;
+  match scene with
   | Ok scene ->
       let scene = adjust scene in
       Result.map (fun () -> scene) (check_size scene)

@@ -9,9 +9,14 @@ val check_size : Scene.t -> (unit, string) result
     that says why not. *)
 
 val load :
-  string -> adjust:(Scene.t -> Scene.t) -> unit -> (Scene.t, string) result
-(** [load path ~adjust ()] is [adjust] of the scene at [path], or the text of
-    all that is wrong with it or with its size. *)
+  string ->
+  ?watch:Watch.t ->
+  adjust:(Scene.t -> Scene.t) ->
+  unit ->
+  (Scene.t, string) result
+(** [load path ~watch ~adjust ()] is [adjust] of the scene at [path], or the
+    text of all that is wrong with it or with its size. [watch] then follows
+    all files that were read. *)
 
 val source :
   ?out:string ->

@@ -1,4 +1,5 @@
 open Raylab_geometry
+open Raylab_source
 open Raylab_scene
 open Raylab_tracer
 
@@ -40,14 +41,16 @@ let rec surface s : Yojson.Safe.t =
   in
   `Assoc (("kind", text (Surface.name s)) :: parts)
 
-let object_ n (o : Object.t) : Yojson.Safe.t =
+let place = function
+  | None -> [ ("line", `Null) ]
+  | Some { Place.file; line } ->
+      let file = Option.map (fun file -> ("file", text file)) file in
+      ("line", int line) :: Option.to_list file
+
+let object_ n (o : Object.t) at : Yojson.Safe.t =
   `Assoc
-    [
-      ("number", int n);
-      ("line", optional int o.line);
-      ("shape", shape o.shape);
-      ("surface", surface o.surface);
-    ]
+    ((("number", int n) :: place at)
+    @ [ ("shape", shape o.shape); ("surface", surface o.surface) ])
 
 (* {1 Rays} *)
 
@@ -65,11 +68,11 @@ let shadow_ray ray =
 let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
   | Faces_away { cosine } ->
       [ ("verdict", text "faces away"); ("cosine", number cosine) ]
-  | Blocked { shadow_ray = ray; by; blocker; t; point } ->
+  | Blocked { shadow_ray = ray; by; blocker; place; t; point } ->
       [
         ("verdict", text "blocked");
         shadow_ray (Some ray);
-        ("by", object_ by blocker);
+        ("by", object_ by blocker place);
         ("t", number t);
         ("point", vector point);
       ]
@@ -82,27 +85,27 @@ let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
         ("contribution", color contribution);
       ]
 
-let light { Explain.number = n; light; verdict = v } : Yojson.Safe.t =
-  let place =
+let light { Explain.number = n; light; place = at; verdict = v } :
+    Yojson.Safe.t =
+  let where =
     match light.source with
     | Directional along -> ("direction", direction along)
     | Spherical position -> ("position", vector position)
   in
   `Assoc
-    ([
-       ("number", int n);
-       ("line", optional int light.line);
-       ("kind", text (Light.name light));
-       place;
-       ("intensity", number light.intensity);
-       ("color", color light.color);
-     ]
+    ((("number", int n) :: place at)
+    @ [
+        ("kind", text (Light.name light));
+        where;
+        ("intensity", number light.intensity);
+        ("color", color light.color);
+      ]
     @ verdict v)
 
 let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
   `Assoc
     [
-      ("object", object_ h.hit.number h.object_);
+      ("object", object_ h.hit.number h.object_ h.place);
       ("t", number h.hit.t);
       ("point", vector h.hit.point);
       ("normal", direction h.hit.normal);

@@ -32,7 +32,7 @@ HIT   = { "object": OBJECT,
           "emission": COLOR, "albedo": COLOR, "mirror": COLOR,
           "lights": [LIGHT, ...] }        none if the albedo is 0
 
-OBJECT  = { "number": INT, "line": INT or null,
+OBJECT  = { "number": INT, PLACE,
             "shape": { "kind": WORD, PART: NUMBER or VECTOR, ... },
             "surface": SURFACE }          as it is written
 
@@ -45,7 +45,7 @@ PART    = what it takes there, in that order, by name:
           a "sphere" has "centre" and "radius", a "plane" has "point"
           and "normal"; "diffusive" and "luminous" have "color"
 
-LIGHT   = { "number": INT, "line": INT or null,
+LIGHT   = { "number": INT, PLACE,
             "kind": "directional" or "spherical",
             "direction": VECTOR           if directional
             "position": VECTOR            if spherical
@@ -58,6 +58,9 @@ LIGHT   = { "number": INT, "line": INT or null,
                                           would start
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
             "falloff": NUMBER, "contribution": COLOR }    if lit
+
+PLACE   = "line": INT or null,            null: of no file
+          "file": STRING                  if not in the scene's own file
 
 VECTOR  = [NUMBER, NUMBER, NUMBER]        x, y, z
 COLOR   = [NUMBER, NUMBER, NUMBER]        red, green, blue; 1 is bright|}

@@ -1,13 +1,14 @@
 open Raylab_geometry
+open Raylab_source
 open Raylab_scene
 
-let line = function None -> "" | Some line -> Printf.sprintf ", line %d" line
+let place = function None -> "" | Some place -> ", " ^ Place.to_string place
 
-let by_number number (o : Object.t) =
-  let line =
-    match o.line with None -> "" | Some l -> Printf.sprintf " (line %d)" l
-  in
-  Printf.sprintf "%s %d%s" (Shape.name o.shape) number line
+let by_number number (o : Object.t) place =
+  let name = Printf.sprintf "%s %d" (Shape.name o.shape) number in
+  match place with
+  | None -> name
+  | Some place -> Printf.sprintf "%s (%s)" name (Place.to_string place)
 
 (* {1 Surfaces} *)
 
@@ -72,15 +73,15 @@ let luminous emission =
 let mirror part =
   if part = 1. then "mirror" else Words.percent part ^ " mirror"
 
-let by_look number (o : Object.t) =
+let by_look number (o : Object.t) whence =
   let shape = Shape.name o.shape in
   let lobes = Surface.lobes o.surface in
   let paints = paints o.surface in
   let glows = not (Color.equal lobes.emission Color.black) in
   let with_shape look =
-    Printf.sprintf "%s %s (object %d%s)" look shape number (line o.line)
+    Printf.sprintf "%s %s (object %d%s)" look shape number (place whence)
   and without_shape look =
-    Printf.sprintf "%s (%s %d%s)" look shape number (line o.line)
+    Printf.sprintf "%s (%s %d%s)" look shape number (place whence)
   in
   match (paints, Color.largest lobes.mirror, glows) with
   | [ { word; part = 1. } ], 0., false -> with_shape word

@@ -1,17 +1,19 @@
 (** What the things of a scene are called. *)
 
+open Raylab_source
 open Raylab_scene
 
-val line : int option -> string
-(** [line l] is [, line 30], or nothing if there is no line. *)
+val place : Place.t option -> string
+(** [place p] is [, line 30], or nothing if there is no place. *)
 
-val by_number : int -> Object.t -> string
-(** [by_number k o] is [sphere 3 (line 24)], for the object [o] of number [k].
-*)
+val by_number : int -> Object.t -> Place.t option -> string
+(** [by_number k o place] is [sphere 3 (line 24)], for the object [o] of number
+    [k], which is at [place]. *)
 
-val by_look : int -> Object.t -> string
-(** [by_look k o] says what [o] looks like, and then which one it is, without
-    an article: [red sphere (object 2, line 30)], [mirror (sphere 4, line 34)],
+val by_look : int -> Object.t -> Place.t option -> string
+(** [by_look k o place] says what [o] looks like, and then which one it is,
+    without an article: [red sphere (object 2, line 30)],
+    [mirror (sphere 4, line 34)],
     [mix of 85 % yellow and 15 % mirror (sphere 9, line 32)],
     [luminous white sphere (object 4)]. The words depend on what the surface
     denotes: it makes no difference how mixes nest, and what glows is not

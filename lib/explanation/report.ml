@@ -22,11 +22,11 @@ let color { swatches } ppf c =
 
 (* {1 Lights} *)
 
-let print_light style ppf indent { Explain.number; light; verdict } =
+let print_light style ppf indent { Explain.number; light; place; verdict } =
   let line format =
     line ppf indent
       ("light %d (%s%s):@ " ^^ format)
-      number (Light.name light) (Naming.line light.line)
+      number (Light.name light) (Naming.place place)
   in
   match verdict with
   | Lit { cosine; falloff; contribution; _ } ->
@@ -35,9 +35,9 @@ let print_light style ppf indent { Explain.number; light; verdict } =
         light.color (color style) contribution
   | Faces_away { cosine } ->
       line "the surface faces away,@ cosine %a" Number.pp cosine
-  | Blocked { by; blocker; t; point; _ } ->
+  | Blocked { by; blocker; place; t; point; _ } ->
       line "blocked by %s@ at t = %a,@ point %a"
-        (Naming.by_number by blocker)
+        (Naming.by_number by blocker place)
         Number.pp t Vec3.pp point
 
 let print_lights style ppf indent (h : Explain.surface_hit) all =
@@ -50,9 +50,9 @@ let print_lights style ppf indent (h : Explain.surface_hit) all =
 
 (* {1 Rays} *)
 
-let print_hit ppf indent { Explain.hit; object_; lobes; _ } =
+let print_hit ppf indent { Explain.hit; object_; place; lobes; _ } =
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
-    (Naming.by_number hit.number object_)
+    (Naming.by_number hit.number object_ place)
     Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
   line ppf indent "surface: %a" text
     (Format.asprintf "%a" Surface.pp object_.surface);

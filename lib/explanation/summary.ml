@@ -9,12 +9,12 @@ let shows_black c = Color.to_bytes c = (0, 0, 0)
 
 module Numbers = Map.Make (Int)
 
-(* The blocked lights by what blocks them: the blocker and the lights. *)
+(* The blocked lights by what blocks them: its name and the lights. *)
 let by_blocker blocked =
-  let add groups (light, by, blocker) =
+  let add groups (light, by, name) =
     let join = function
-      | None -> Some (blocker, [ light ])
-      | Some (blocker, lights) -> Some (blocker, light :: lights)
+      | None -> Some (name, [ light ])
+      | Some (name, lights) -> Some (name, light :: lights)
     in
     Numbers.update by join groups
   in
@@ -36,13 +36,10 @@ let lit (e : Explain.t) numbers =
   "lit by " ^ Words.lights numbers ^ but
 
 let shadows (h : Explain.surface_hit) blocked =
-  let shadow (by, (blocker, lights)) =
+  let shadow (by, (name, lights)) =
     let lights = Words.lights (List.rev lights) in
     if by = h.hit.number then "its own shadow from " ^ lights
-    else
-      Printf.sprintf "the shadow of %s from %s"
-        (Naming.by_number by blocker)
-        lights
+    else Printf.sprintf "the shadow of %s from %s" name lights
   in
   "in " ^ Words.list (List.map shadow (by_blocker blocked))
 
@@ -68,7 +65,8 @@ let light_clauses e (h : Explain.surface_hit) =
   and are_blocked =
     pick (fun { number; verdict; _ } ->
         match verdict with
-        | Blocked { by; blocker; _ } -> Some (number, by, blocker)
+        | Blocked { by; blocker; place; _ } ->
+            Some (number, by, Naming.by_number by blocker place)
         | _ -> None)
   and are_behind =
     pick (fun { number; verdict; _ } ->
@@ -104,7 +102,7 @@ let rec describe ~depth ~article (path : Explain.t list) =
   match path with
   | ({ outcome = Hit h; _ } as e) :: rest ->
       let seen = { h.object_ with surface = h.surface } in
-      let look = article (Naming.by_look h.hit.number seen) in
+      let look = article (Naming.by_look h.hit.number seen h.place) in
       let clauses = clauses e h in
       String.concat ", " (look :: clauses) ^ shows ~depth h rest
   | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)

@@ -72,7 +72,7 @@ let builtin_value (f : Builtin.t) =
     Array.of_list
       (List.map (fun label -> { Value.label; optional = false }) f.parameters)
   in
-  let nowhere = Span.make ~start:0 ~stop:0 in
+  let nowhere = { Span.start = 0; stop = 0 } in
   let call run arguments = Operation.builtin run nowhere f arguments in
   { Value.name = f.name; parameters; call }
 

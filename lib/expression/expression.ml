@@ -139,5 +139,5 @@ let to_string e =
 let bare_triple x y z =
   {
     desc = Triple (x, y, z);
-    span = Span.make ~start:(Span.start x.span) ~stop:(Span.stop z.span);
+    span = { start = x.span.start; stop = z.span.stop };
   }

@@ -41,7 +41,8 @@ let whole check build =
 
 let shown check (e : Expression.t) x =
   match e.desc with
-  | Number _ -> Source.quote (Findings.source check.findings) e.span
+  | Number _ ->
+      Raylab_source.Sources.quote (Findings.sources check.findings) e.span
   | _ ->
       Printf.sprintf "%s, which is %s" (Expression.to_string e)
         (Format.asprintf "%a" Number.pp x)

@@ -14,10 +14,10 @@ let start check = { check; seen = []; numbers = []; background = None }
 let required = [ "imWidth"; "imHeight"; "canvWidth"; "canvHeight"; "depth" ]
 
 (* Of a number that is written, its text decides: 1.0 is not whole. *)
-let is_whole source (e : Expression.t) x =
+let is_whole sources (e : Expression.t) x =
   match e.desc with
   | Number _ ->
-      let text = Source.slice source e.span in
+      let text = Sources.slice sources e.span in
       let is_digit c = '0' <= c && c <= '9' in
       let digits =
         match text.[0] with
@@ -28,19 +28,19 @@ let is_whole source (e : Expression.t) x =
   | _ -> Float.is_integer x
 
 let whole header scope name ~least ~most (e : Expression.t) frame =
-  let source = Findings.source (Check.findings header.check) in
+  let sources = Findings.sources (Check.findings header.check) in
   let code = Code.number scope e in
   Check.attempt header.check frame 1. (fun () ->
       let x = code frame in
       if
-        is_whole source e x
+        is_whole sources e x
         && x >= float_of_int least
         && x <= float_of_int most
       then x
       else
         let found =
           match e.desc with
-          | Number _ -> Source.quote source e.span
+          | Number _ -> Sources.quote sources e.span
           | _ ->
               Printf.sprintf "%s, which is %s" (Expression.to_string e)
                 (Format.asprintf "%a" Number.pp x)
@@ -67,7 +67,7 @@ let set header scope setting frame =
   value header scope setting frame;
   match List.assoc_opt word header.seen with
   | Some first ->
-      let place = Source.place (Findings.source findings) first in
+      let place = Sources.place (Findings.sources findings) first in
       Findings.error findings word_span
         (Printf.sprintf "%s is set a second time" word)
         ~advice:
@@ -88,7 +88,7 @@ let finish header stop =
         "every scene starts with imWidth, imHeight, canvWidth, canvHeight and \
          depth, each followed by a number"
 
-let scene header ~lights ~objects =
+let scene header ~files ~lights ~objects =
   let number word = List.assoc word header.numbers in
   let whole word = int_of_float (number word) in
   let camera =
@@ -99,4 +99,5 @@ let scene header ~lights ~objects =
   let ray_depth =
     Option.map int_of_float (List.assoc_opt "raydepth" header.numbers)
   in
-  Scene.make camera ?background:header.background ?ray_depth ~lights ~objects
+  Scene.make camera ?background:header.background ?ray_depth ~files ~lights
+    ~objects

@@ -17,6 +17,7 @@ val set : t -> Scope.t -> Syntax.setting -> Check.frame -> unit
 val finish : t -> Span.t -> unit
 (** [finish header stop] tells at [stop] which settings are missing. *)
 
-val scene : t -> lights:Light.t list -> objects:Object.t list -> Scene.t
-(** [scene header ~lights ~objects] is the scene of this header. Nothing may
-    have been wrong with it. *)
+val scene :
+  t -> files:Files.t -> lights:Light.t list -> objects:Object.t list -> Scene.t
+(** [scene header ~files ~lights ~objects] is the scene of this header. Nothing
+    may have been wrong with it. *)

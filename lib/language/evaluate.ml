@@ -147,7 +147,7 @@ let compile_modifier check scope { Syntax.change; span } =
 
 (* {1 Items} *)
 
-let nowhere = Span.make ~start:0 ~stop:0
+let nowhere = { Span.start = 0; stop = 0 }
 
 let report check span ~advice message =
   Findings.error (Check.findings check) span message ~advice
@@ -181,7 +181,8 @@ let rec compile_thing check scope (placed : Syntax.placed) :
         | Object node -> Object (Changed (change, node))
         | Surface _ -> thing)
 
-and compile_bare check scope { Syntax.thing; span; line; _ } =
+and compile_bare check scope { Syntax.thing; span; _ } =
+  let origin = Origin.Literal span.start in
   match thing with
   | Shape (shape, surface) ->
       let shape = compile_shape check scope shape
@@ -194,12 +195,12 @@ and compile_bare check scope { Syntax.thing; span; line; _ } =
               (shape, surface))
         in
         let shape, surface = made in
-        Thing.Object (Leaf (Object.make ~line (shape ()) surface))
+        Thing.Object (Leaf (Object.make ~origin (shape ()) surface))
   | Light light ->
       let light = compile_light check scope light in
       fun frame ->
         let build = Check.whole check (fun () -> light frame) in
-        Thing.Light (Lamp (Light.with_line (Some line) (build ())))
+        Thing.Light (Lamp (Light.with_origin origin (build ())))
   | Group items ->
       let body = compile_block check scope ~at:span items in
       fun frame -> Thing.Object (in_group check frame span body)
@@ -294,13 +295,13 @@ and tell_twice check names = function
       match Hashtbl.find_opt names key with
       | None -> Hashtbl.add names key name_span
       | Some first ->
-          let source = Findings.source (Check.findings check) in
+          let sources = Findings.sources (Check.findings check) in
           report check name_span
             (Printf.sprintf "%s is defined a second time" name)
             ~advice:
               (Printf.sprintf
                  "it is already defined in line %d; choose another name"
-                 (Source.place source first).line))
+                 (Sources.place sources first).line))
   | _ -> ()
 
 (* {1 Definitions} *)
@@ -386,8 +387,8 @@ let run_header check scope frame header names items =
           scope)
     scope items
 
-let scene ?(time = 0.) source (syntax : Syntax.t) =
-  let findings = Findings.start source in
+let scene ?(time = 0.) sources (syntax : Syntax.t) =
+  let findings = Findings.start sources in
   let check = Check.start findings in
   let scope, frame = start check time in
   let header = Check_header.start check and names = Hashtbl.create 17 in
@@ -400,6 +401,6 @@ let scene ?(time = 0.) source (syntax : Syntax.t) =
   match (Findings.errors findings, scene) with
   | [], Scene { lights; objects } ->
       Ok
-        (Check_header.scene header ~lights:(List.rev lights)
-           ~objects:(List.rev objects))
+        (Check_header.scene header ~files:(Sources.table sources)
+           ~lights:(List.rev lights) ~objects:(List.rev objects))
   | errors, _ -> Error errors

@@ -2,23 +2,23 @@ open Raylab_source
 open Raylab_expression
 
 type t = {
-  source : Source.t;
+  sources : Sources.t;
   mutable found : (Span.t * Scene_error.t) list;
   mutable count : int;
   mutable first_untold : Span.t option;
   faults : (Span.t * string, unit) Hashtbl.t;
 }
 
-let start source =
+let start sources =
   {
-    source;
+    sources;
     found = [];
     count = 0;
     first_untold = None;
     faults = Hashtbl.create 7;
   }
 
-let source findings = findings.source
+let sources findings = findings.sources
 
 (* More help nobody, and a hostile file has as many as would fill memory. *)
 let most = 100_000
@@ -26,27 +26,31 @@ let most = 100_000
 let error findings span ?advice message =
   findings.count <- findings.count + 1;
   if findings.count <= most then
-    let error = Scene_error.make findings.source span ?advice message in
+    let error = Scene_error.make findings.sources span ?advice message in
     findings.found <- (span, error) :: findings.found
   else if findings.first_untold = None then findings.first_untold <- Some span
 
 let most_frames = 8
 
-let frame source frame =
+let frame sources frame =
   let show = Value.to_string Thing.describe in
-  let line at = (Source.place source at).line in
+  let place { Span.start; _ } =
+    match Files.place (Sources.table sources) start with
+    | None -> ""
+    | Some place -> Place.to_string place
+  in
   match (frame : _ Value.frame) with
   | Call { name; arguments; at } ->
       let argument (label, value) =
         Printf.sprintf "%s: %s" label (show value)
       in
-      Printf.sprintf "in %s(%s), called in line %d" name
+      Printf.sprintf "in %s(%s), called in %s" name
         (String.concat ", " (List.map argument arguments))
-        (line at)
+        (place at)
   | Round { name; value; at } ->
-      Printf.sprintf "with %s = %s, line %d" name (show value) (line at)
+      Printf.sprintf "with %s = %s, %s" name (show value) (place at)
 
-let trace source stack =
+let trace sources stack =
   let count = List.length stack in
   let shown = List.filteri (fun k _ -> k < most_frames) stack in
   let more =
@@ -54,22 +58,22 @@ let trace source stack =
       [ Printf.sprintf "and %d more around these" (count - most_frames) ]
     else []
   in
-  List.map (frame source) shown @ more
+  List.map (frame sources) shown @ more
 
 let longest_message = 300
 
 (* Values may have any text in them, and be long. *)
 let told text =
-  let text = Source.printable text in
+  let text = Printable.text text in
   if String.length text <= longest_message then text
-  else Source.printable (String.sub text 0 longest_message) ^ "..."
+  else Printable.text (String.sub text 0 longest_message) ^ "..."
 
 let fault findings { Fault.span; message; advice; _ } stack =
   (* one mistake is not told of each round *)
   let place = (span, match stack with [] -> message | _ -> "") in
   if not (Hashtbl.mem findings.faults place) then (
     Hashtbl.add findings.faults place ();
-    let lines = trace findings.source stack in
+    let lines = trace findings.sources stack in
     let lines = if advice = "" then lines else lines @ [ advice ] in
     error findings span (told message)
       ~advice:(String.concat "\n" (List.map told lines)))
@@ -77,13 +81,13 @@ let fault findings { Fault.span; message; advice; _ } stack =
 let untold findings =
   let tell span =
     let more = findings.count - most in
-    Scene_error.make findings.source span
+    Scene_error.make findings.sources span
       (Printf.sprintf "%d more error%s, the first of them here" more
          (if more = 1 then "" else "s"))
   in
   Option.to_list (Option.map tell findings.first_untold)
 
 let errors findings =
-  let by_start (a, _) (b, _) = Int.compare (Span.start a) (Span.start b) in
+  let by_start (a, _) (b, _) = Int.compare a.Span.start b.Span.start in
   List.map snd (List.stable_sort by_start (List.rev findings.found))
   @ untold findings

@@ -3,13 +3,13 @@
 open Raylab_source
 
 type t
-(** The type for findings in one source. *)
+(** The type for findings in the files of one scene. *)
 
-val start : Source.t -> t
-(** [start source] is no findings, in [source]. *)
+val start : Sources.t -> t
+(** [start sources] is no findings, in [sources]. *)
 
-val source : t -> Source.t
-(** [source findings] is what they are in. *)
+val sources : t -> Sources.t
+(** [sources findings] is what they are in. *)
 
 val error : t -> Span.t -> ?advice:string -> string -> unit
 (** [error findings span ~advice message] adds an error. *)

@@ -159,8 +159,7 @@ let without_last (lexbuf : Lexing.lexbuf) =
     { lexbuf.lex_curr_p with pos_cnum = lexbuf.lex_curr_p.pos_cnum - 1 }
 }
 
-let blank = [' ' '\t' '\011' '\012']
-let line_end = '\n' | '\r' | "\r\n"
+let blank = [' ' '\t' '\n' '\r' '\011' '\012']
 let digits = ['0'-'9']+
 let unsigned =
   (digits ('.' ['0'-'9']*)? | '.' digits) (['e' 'E'] ['+' '-']? digits)?
@@ -168,7 +167,6 @@ let name = ['a'-'z' 'A'-'Z' '_'] ['a'-'z' 'A'-'Z' '_' '0'-'9']*
 
 rule item state = parse
   | blank+ | '#' [^ '\n' '\r']* { item state lexbuf }
-  | line_end { Lexing.new_line lexbuf; item state lexbuf }
   | ['+' '-']? unsigned { number lexbuf }
   | (name as text) '('
       { if is_called state text then call state lexbuf text
@@ -185,7 +183,6 @@ rule item state = parse
 
 and expression state = parse
   | blank+ | '#' [^ '\n' '\r']* { expression state lexbuf }
-  | line_end { Lexing.new_line lexbuf; expression state lexbuf }
   | unsigned { number lexbuf }
   | (name as text) '('
       { if Keyword.reserved_inside text = None then call state lexbuf text
@@ -221,7 +218,26 @@ and expression state = parse
   | eof { EOF }
 
 {
+let is_blank = function
+  | ' ' | '\t' | '\n' | '\r' | '\011' | '\012' -> true
+  | _ -> false
+
+let rec after_blanks (lexbuf : Lexing.lexbuf) at =
+  if at < lexbuf.lex_buffer_len && is_blank (Bytes.get lexbuf.lex_buffer at)
+  then after_blanks lexbuf (at + 1)
+  else at
+
+(* Skips those blanks that are in the buffer already. The rules would do it, but
+   then half of all that they match would be blanks. *)
+let skip_blanks (lexbuf : Lexing.lexbuf) =
+  let at = after_blanks lexbuf lexbuf.lex_curr_pos in
+  if at > lexbuf.lex_curr_pos then (
+    lexbuf.lex_curr_pos <- at;
+    lexbuf.lex_curr_p <-
+      { lexbuf.lex_curr_p with pos_cnum = lexbuf.lex_abs_pos + at })
+
 let token state lexbuf =
+  skip_blanks lexbuf;
   if state.too_deep <> None then Parser.EOF
   else if state.depth > 0 then expression state lexbuf
   else item state lexbuf

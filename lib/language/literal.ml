@@ -36,15 +36,17 @@ let rec surface nesting { Syntax.finish; _ } =
 
 let object_ (placed : Syntax.placed) =
   match placed with
-  | { thing = Shape (written, s); modifiers = []; line; _ } -> (
-      match Object.make ~line (shape written) (surface 0 s) with
+  | { thing = Shape (written, s); modifiers = []; span } -> (
+      match
+        Object.make ~origin:(Literal span.start) (shape written) (surface 0 s)
+      with
       | built -> Syntax.Ready_object built
       | exception (Computed | Invalid_argument _) -> Placed placed)
   | _ -> Placed placed
 
 let light (placed : Syntax.placed) =
   match placed with
-  | { thing = Light { source; intensity; color = c }; modifiers = []; line; _ }
+  | { thing = Light { source; intensity; color = c }; modifiers = []; span }
     -> (
       let build () =
         let intensity = number intensity and color = color c in
@@ -53,7 +55,7 @@ let light (placed : Syntax.placed) =
             Light.directional ~intensity ~color ~direction:(vector d)
         | Spherical p -> Light.spherical ~intensity ~color ~position:(vector p)
       in
-      match Light.with_line (Some line) (build ()) with
+      match Light.with_origin (Literal span.start) (build ()) with
       | built -> Syntax.Ready_light built
       | exception (Computed | Invalid_argument _) -> Placed placed)
   | _ -> Placed placed

@@ -17,7 +17,7 @@ let at text start =
     let found (name, meant) =
       { start; stop; name = Printf.sprintf "U+%04X, %s" code name; meant }
     in
-    (stop, Option.map found (Character.strange code))
+    (stop, Option.map found (Raylab_source.Character.strange code))
   else
     let byte = text.[start] in
     let name =

@@ -1,4 +1,4 @@
-(** Strange characters in a text; see {!Character}. *)
+(** Strange characters in a text; see {!Raylab_source.Character}. *)
 
 type t = {
   start : int;  (** the offset of its first byte *)

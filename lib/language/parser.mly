@@ -10,13 +10,13 @@ open Raylab_expression
 open Expression
 
 let span ((start, stop) : Lexing.position * Lexing.position) =
-  Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum
+  { Span.start = start.pos_cnum; stop = stop.pos_cnum }
 
 let make desc loc = { desc; span = span loc }
 
 (* Of what is called: the name without its bracket. *)
 let name_span ((start, stop) : Lexing.position * Lexing.position) =
-  Span.make ~start:start.pos_cnum ~stop:(stop.pos_cnum - 1)
+  { Span.start = start.pos_cnum; stop = stop.pos_cnum - 1 }
 
 let color_word { Raylab_scene.Color.r; g; b } loc =
   let channel x = make (Number x) loc in
@@ -25,9 +25,8 @@ let color_word { Raylab_scene.Color.r; g; b } loc =
 (* [[v]] is v where a vector or colour stands. *)
 let vector_of e = match e.desc with List [ v ] -> v | _ -> e
 
-let placed thing modifiers ((start, _) as loc : Lexing.position * _) =
-  { Syntax.thing; modifiers = List.rev modifiers; span = span loc;
-    line = start.pos_lnum }
+let placed thing modifiers loc =
+  { Syntax.thing; modifiers = List.rev modifiers; span = span loc }
 
 let setting word loc value =
   Syntax.Setting { word; word_span = span loc; value }

@@ -2,13 +2,17 @@ open Raylab_source
 module Engine = Slow_parser.MenhirInterpreter
 
 (* Feeding the text in pieces spares a second copy of a large one. *)
-let lexbuf source =
-  let text = Source.text source and next = ref 0 in
-  Lexing.from_function (fun buffer wanted ->
-      let length = Int.min wanted (String.length text - !next) in
-      Bytes.blit_string text !next buffer 0 length;
-      next := !next + length;
-      length)
+let lexbuf { Sources.text; base; _ } =
+  let next = ref 0 in
+  let feed buffer wanted =
+    let length = Int.min wanted (String.length text - !next) in
+    Bytes.blit_string text !next buffer 0 length;
+    next := !next + length;
+    length
+  in
+  let lexbuf = Lexing.from_function feed in
+  Lexing.set_position lexbuf { Lexing.dummy_pos with pos_cnum = base };
+  lexbuf
 
 (* What programs in other languages write. *)
 let special (token : Parser.token) =
@@ -22,9 +26,9 @@ let special (token : Parser.token) =
           "put what they say into this file" )
   | _ -> None
 
-let syntax_error source checkpoint state names token (start : Lexing.position)
+let syntax_error sources checkpoint state names token (start : Lexing.position)
     (stop : Lexing.position) =
-  let span = Span.make ~start:start.pos_cnum ~stop:stop.pos_cnum in
+  let span = { Span.start = start.pos_cnum; stop = stop.pos_cnum } in
   let { Expectation.noun = expected; advice } = Expectation.of_state state in
   let article =
     match expected.[0] with
@@ -33,22 +37,22 @@ let syntax_error source checkpoint state names token (start : Lexing.position)
     | _ -> "a "
   in
   match (special token, (token : Parser.token)) with
-  | Some (message, advice), _ -> Scene_error.make source span message ~advice
+  | Some (message, advice), _ -> Scene_error.make sources span message ~advice
   | None, WORD _ ->
       let acceptable token = Engine.acceptable checkpoint token start in
-      Unknown_word.error source span ~acceptable ~names ~expected ~advice
+      Unknown_word.error sources span ~acceptable ~names ~expected ~advice
   | None, EOF ->
-      Scene_error.make source span ~advice
+      Scene_error.make sources span ~advice
         (Printf.sprintf "the file ends where %s%s should follow" article
            expected)
   | None, _ ->
-      Scene_error.make source span ~advice
+      Scene_error.make sources span ~advice
         (Printf.sprintf "%s%s should stand here, not '%s'" article expected
-           (Source.quote source span))
+           (Sources.quote sources span))
 
 (* Runs the slow parser over a text that the fast one refused. *)
-let explain_error source =
-  let lexbuf = lexbuf source and words = Lexer.start () in
+let explain_error sources file =
+  let lexbuf = lexbuf file and words = Lexer.start () in
   let rec run input checkpoint =
     match checkpoint with
     | Engine.InputNeeded _ ->
@@ -67,23 +71,23 @@ let explain_error source =
         let before, token, start, stop = input in
         let state = Engine.current_state_number env in
         let names = Lexer.names words in
-        Error (syntax_error source before state names token start stop)
+        Error (syntax_error sources before state names token start stop)
     | Rejected -> assert false (* comes only after [HandlingError] *)
     | Accepted syntax -> Ok syntax
   in
   let start = Slow_parser.Incremental.scene Lexing.dummy_pos in
   run (start, Parser.EOF, Lexing.dummy_pos, Lexing.dummy_pos) start
 
-let too_deep source (offset, message) =
-  Scene_error.make source (Span.make ~start:offset ~stop:(offset + 1)) message
+let too_deep sources (offset, message) =
+  Scene_error.make sources { start = offset; stop = offset + 1 } message
 
-let parse source =
+let parse sources file =
   let words = Lexer.start () in
   let result =
-    match Parser.scene (Lexer.token words) (lexbuf source) with
+    match Parser.scene (Lexer.token words) (lexbuf file) with
     | syntax -> Ok syntax
-    | exception Parser.Error -> explain_error source
+    | exception Parser.Error -> explain_error sources file
   in
   match Lexer.too_deep words with
-  | Some found -> Error (too_deep source found)
+  | Some found -> Error (too_deep sources found)
   | None -> result

@@ -2,51 +2,45 @@ open Raylab_source
 
 type t = {
   file : string;
-  place : Source.place option;
+  place : Sources.place option;
   message : string;
   excerpt : string;
   advice : string;
 }
 
-let draw_excerpt source span (place : Source.place) =
-  let line, before, length = Source.excerpt source span in
+let draw_excerpt sources span (place : Sources.place) =
+  let line, before, length = Sources.excerpt sources span in
   let number = Printf.sprintf "%5d" place.line in
   let margin = String.make (String.length number) ' ' in
   Printf.sprintf "%s | %s\n%s | %s%s" number line margin
     (String.make before ' ') (String.make length '^')
 
-let make source span ?(advice = "") message =
-  let place = Source.place source span in
+let make sources (span : Span.t) ?(advice = "") message =
+  let place = Sources.place sources span in
   {
-    file = Source.name source;
+    file = Sources.name sources span.start;
     place = Some place;
     message;
-    excerpt = draw_excerpt source span place;
+    excerpt = draw_excerpt sources span place;
     advice;
   }
 
-let whole source ?(advice = "") message =
-  let place = Source.place source (Span.make ~start:0 ~stop:0) in
-  {
-    file = Source.name source;
-    place = Some place;
-    message;
-    excerpt = "";
-    advice;
-  }
+let whole sources ?advice message =
+  let error = make sources { start = 0; stop = 0 } ?advice message in
+  { error with excerpt = "" }
 
 let unreadable ~file reason =
   {
-    file = Source.printable file;
+    file = Printable.text file;
     place = None;
-    message = Source.printable reason;
+    message = Printable.text reason;
     excerpt = "";
     advice = "";
   }
 
 let pp_place ppf = function
   | None -> ()
-  | Some { Source.line; first; last } when first = last ->
+  | Some { Sources.line; first; last } when first = last ->
       Format.fprintf ppf ":%d:%d" line first
   | Some { line; first; last } ->
       Format.fprintf ppf ":%d:%d-%d" line first last

@@ -4,20 +4,20 @@ open Raylab_source
 
 type t = {
   file : string;
-  place : Source.place option;  (** [None]: the file could not be read *)
+  place : Sources.place option;  (** [None]: the file could not be read *)
   message : string;  (** what is wrong, in one line *)
   excerpt : string;
       (** the line in question with a marker under the place, or [""] *)
   advice : string;  (** what to do, or [""] *)
 }
-(** The type for errors. All strings are printable; see {!Source.printable}. *)
+(** The type for errors. All strings are printable; see {!Printable}. *)
 
-val make : Source.t -> Span.t -> ?advice:string -> string -> t
-(** [make source span message] is the error that [span] is wrong. *)
+val make : Sources.t -> Span.t -> ?advice:string -> string -> t
+(** [make sources span message] is the error that [span] is wrong. *)
 
-val whole : Source.t -> ?advice:string -> string -> t
-(** [whole source message] is the error that all of the text is wrong. Its
-    place is the start, and it has no excerpt. *)
+val whole : Sources.t -> ?advice:string -> string -> t
+(** [whole sources message] is the error that all of the main file is wrong.
+    Its place is the start, and it has no excerpt. *)
 
 val unreadable : file:string -> string -> t
 (** [unreadable ~file reason] is the error that [file] cannot be read. *)

@@ -1,29 +1,30 @@
+open Raylab_source
 open Raylab_geometry
 open Raylab_scene
 
-(* A span holds no larger offset. *)
-let max_size = (1 lsl 31) - 1
+(* Offsets are as large as this where integers have 32 bits. *)
+let max_size = 0x7fff_ffff
 
 let too_large file =
   let reason = Printf.sprintf "the scene is larger than %d bytes" max_size in
   Error [ Scene_error.unreadable ~file reason ]
 
-let read_scene ?time source =
-  match Reader.parse source with
+let read_scene ?time sources main =
+  match Reader.parse sources main with
   | Error error -> Error [ error ]
-  | Ok syntax -> Evaluate.scene ?time source syntax
+  | Ok syntax -> Evaluate.scene ?time sources syntax
 
-let foreign source encoding =
-  Scene_error.whole source
+let foreign sources encoding =
+  Scene_error.whole sources
     (Printf.sprintf "the text is %s, and a scene is UTF-8" encoding)
     ~advice:"save it as UTF-8"
 
-let parse ?time source =
-  let text = Source.text source in
-  if String.length text > max_size then too_large (Source.name source)
+let parse ?time sources =
+  let main = Sources.file sources 0 in
+  if Sources.size sources > max_size then too_large (Sources.name sources 0)
   else
-    match (read_scene ?time source, Encoding.foreign text) with
-    | Error _, Some encoding -> Error [ foreign source encoding ]
+    match (read_scene ?time sources main, Encoding.foreign main.text) with
+    | Error _, Some encoding -> Error [ foreign sources encoding ]
     | result, _ -> result
 
 let without_extension path =
@@ -60,10 +61,10 @@ let read_text path =
     read_at_most max_size stdin)
   else In_channel.with_open_bin path (read_at_most max_size)
 
-let read path =
+let read_main path =
   let file = if path = "-" then "<standard input>" else path in
   match read_text path with
-  | Some text -> Ok (Source.make ~name:file text)
+  | Some text -> Ok (Sources.make ~path ~name:file text)
   | None -> too_large file
   | exception Sys_error reason ->
       (* the system's message starts with the path, which the error names *)
@@ -76,7 +77,17 @@ let read path =
       in
       Error [ Scene_error.unreadable ~file reason ]
 
-let load ?time path = Result.bind (read path) (parse ?time)
+type reading = {
+  sources : Sources.t;
+  scene : (Scene.t, Scene_error.t list) result;
+}
+
+let read ?time path =
+  match read_main path with
+  | Ok sources -> { sources; scene = parse ?time sources }
+  | Error _ as scene -> { sources = Sources.none; scene }
+
+let load ?time path = (read ?time path).scene
 
 (* {1 Printing} *)
 

@@ -1,21 +1,31 @@
 (** Scene files: reading and writing the scene language. *)
 
+open Raylab_source
 open Raylab_scene
 
-val parse : ?time:float -> Source.t -> (Scene.t, Scene_error.t list) result
-(** [parse ~time source] is the scene that [source] describes at [time], by
-    default 0, or what is wrong with it: one error of syntax, or all errors of
-    validation in the order of the text. It takes time linear in the size of
-    the text and raises nothing, whatever the bytes. More of them than
-    {!max_size} are an error, without a place. *)
-
-val read : string -> (Source.t, Scene_error.t list) result
-(** [read path] is the text of the file at [path], or of standard input if
-    [path] is ["-"]. A file that cannot be read, or is too large, is an error.
-*)
+val parse : ?time:float -> Sources.t -> (Scene.t, Scene_error.t list) result
+(** [parse ~time sources] is the scene that the main file of [sources]
+    describes at [time], by default 0, or what is wrong with it: one error of
+    syntax, or all errors of validation in the order of the text. It takes time
+    linear in the size of the text and raises nothing, whatever the bytes. More
+    of them than {!max_size} are an error, without a place. *)
 
 val load : ?time:float -> string -> (Scene.t, Scene_error.t list) result
-(** [load ~time path] is {!parse}[ ~time] of {!read}[ path]. *)
+(** [load ~time path] is the scene in the file at [path], or on standard input
+    if [path] is ["-"], as {!parse} reads it. A file that cannot be read, or is
+    too large, is an error. *)
+
+type reading = {
+  sources : Sources.t;
+      (** all files that were read for it, the main one first; none if that
+          could not be read *)
+  scene : (Scene.t, Scene_error.t list) result;
+}
+(** The type for scenes and the files that they come from. *)
+
+val read : ?time:float -> string -> reading
+(** [read ~time path] is {!load}[ ~time path] together with all that was read.
+*)
 
 val without_extension : string -> string
 (** [without_extension path] is [path] without [.scene] or [.txt] at its end,

@@ -55,7 +55,6 @@ and placed = {
   thing : thing;
   modifiers : modifier list;  (** in the order in which they are written *)
   span : Span.t;  (** of its first word *)
-  line : int;  (** counted from 1 *)
 }
 
 and thing =

@@ -4,10 +4,10 @@ open Raylab_scene
 (* {1 A character that does not belong} *)
 
 let span_of word_span { Lookalike.start; stop; _ } =
-  let offset = Span.start word_span in
-  Span.make ~start:(offset + start) ~stop:(offset + stop)
+  let offset = word_span.Span.start in
+  { Span.start = offset + start; stop = offset + stop }
 
-let character_error source word_span found =
+let character_error sources word_span found =
   let { Lookalike.name; meant; _ } = found in
   let message, advice =
     match meant with
@@ -17,7 +17,7 @@ let character_error source word_span found =
         ( Printf.sprintf "%s, is not '%s'" name meant,
           Printf.sprintf "write '%s' instead" meant )
   in
-  Scene_error.make source (span_of word_span found) message ~advice
+  Scene_error.make sources (span_of word_span found) message ~advice
 
 (* Whether the language knows all words of [text]. *)
 let is_known text =
@@ -40,12 +40,12 @@ let names_of_colors =
         last
   | [] -> ""
 
-let character_told source word_span found =
-  let place = Source.place source (span_of word_span found) in
+let character_told sources word_span found =
+  let place = Sources.place sources (span_of word_span found) in
   Printf.sprintf " There is %s, in column %d." found.name place.first
 
-let word_error source span ~acceptable ~names:known ~expected ~advice word =
-  let quoted = Source.quote source span in
+let word_error sources span ~acceptable ~names:known ~expected ~advice word =
+  let quoted = Sources.quote sources span in
   let message =
     if expected.[0] = '\'' then
       Printf.sprintf "%s should stand here, not '%s'" expected quoted
@@ -58,19 +58,19 @@ let word_error source span ~acceptable ~names:known ~expected ~advice word =
   and names = if expected = "colour" then names_of_colors else ""
   and character =
     Option.fold ~none:""
-      ~some:(character_told source span)
+      ~some:(character_told sources span)
       (Lookalike.first word)
   and suggestion =
     match Suggestion.sentence ~acceptable ~names:known word with
     | "" -> ""
     | sentence -> " " ^ sentence
   in
-  Scene_error.make source span message
+  Scene_error.make sources span message
     ~advice:(advice ^ names ^ character ^ suggestion)
 
-let error source span ~acceptable ~names ~expected ~advice =
-  let word = Source.slice source span in
+let error sources span ~acceptable ~names ~expected ~advice =
+  let word = Sources.slice sources span in
   match Lookalike.first word with
   | Some found when is_known (Lookalike.plain word) ->
-      character_error source span found
-  | _ -> word_error source span ~acceptable ~names ~expected ~advice word
+      character_error sources span found
+  | _ -> word_error sources span ~acceptable ~names ~expected ~advice word

@@ -3,14 +3,14 @@
 open Raylab_source
 
 val error :
-  Source.t ->
+  Sources.t ->
   Span.t ->
   acceptable:(Parser.token -> bool) ->
   names:string list ->
   expected:string ->
   advice:string ->
   Scene_error.t
-(** [error source span ~acceptable ~names ~expected ~advice] is the error that
+(** [error sources span ~acceptable ~names ~expected ~advice] is the error that
     the word at [span] is unknown where [expected] was, such as ["surface"].
     [advice] says more of that, [acceptable] which tokens may stand there, and
     [names] which names are known. If it is only a character that makes the

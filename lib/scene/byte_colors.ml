@@ -5,27 +5,32 @@ let looks_so { Color.r; g; b } =
 let numbers format { Color.r; g; b } =
   String.concat " " (List.map (Format.asprintf format) [ r; g; b ])
 
-type named = { name : string; color : Color.t; line : int option }
+type named = { name : string; color : Color.t; origin : Origin.t }
 
-let tell { name; color; line } =
-  Printf.sprintf
-    "%s has the colour %s, which looks like 0 to 255; from 0 to 1 it is %s"
-    name (numbers "%g" color)
-    (numbers "%.3g" (Color.scale (1. /. 255.) color))
-  |> Warning.at [ line ]
+let tell { name; color; origin } =
+  let text =
+    Printf.sprintf
+      "%s has the colour %s, which looks like 0 to 255; from 0 to 1 it is %s"
+      name (numbers "%g" color)
+      (numbers "%.3g" (Color.scale (1. /. 255.) color))
+  in
+  { Warning.text; about = [ origin ] }
 
 let of_light k (light : Light.t) =
-  let { Light.color; line; _ } = light in
+  let { Light.color; origin; _ } = light in
   if looks_so color then
-    Some { name = Printf.sprintf "light %d" (k + 1); color; line }
+    Some { name = Printf.sprintf "light %d" (k + 1); color; origin }
   else None
 
 let of_object k (o : Object.t) =
-  let named color = { name = Warning.name (k + 1) o; color; line = o.line } in
+  let named color =
+    { name = Warning.name (k + 1) o; color; origin = o.origin }
+  in
   List.map named (List.filter looks_so (Surface.colors o.surface))
 
 let of_background color =
-  if looks_so color then [ { name = "the background"; color; line = None } ]
+  if looks_so color then
+    [ { name = "the background"; color; origin = Unknown } ]
   else []
 
 let warnings ~background lights objects =

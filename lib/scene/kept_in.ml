@@ -28,15 +28,17 @@ type kept = {
 
 let tell { number; light; by; o; eye } =
   let name = Warning.name by o in
-  Warning.at [ light.line; o.line ]
-    (if eye = Inside then
-       Printf.sprintf
-         "light %d is outside of %s, in which the eye is, and which keeps its \
-          light out"
-         number name
-     else
-       Printf.sprintf "light %d is inside %s, which keeps its light in" number
-         name)
+  let text =
+    if eye = Inside then
+      Printf.sprintf
+        "light %d is outside of %s, in which the eye is, and which keeps its \
+         light out"
+        number name
+    else
+      Printf.sprintf "light %d is inside %s, which keeps its light in" number
+        name
+  in
+  { Warning.text; about = [ light.origin; o.origin ] }
 
 (* Pairs of a light and an object that are looked at: some hundredths of a
    second. *)

@@ -7,14 +7,14 @@ type t = {
   intensity : float;
   color : Color.t;
   power : Color.t; (* intensity * color *)
-  line : int option;
+  origin : Origin.t;
 }
 
 let make ~intensity ~color source =
   Number.require Non_negative "an intensity" intensity;
   Color.require "a light's colour" color;
   let power = Saturate.color (Color.scale intensity color) in
-  { source; intensity; color; power; line = None }
+  { source; intensity; color; power; origin = Unknown }
 
 let directional ~intensity ~color ~direction =
   make ~intensity ~color (Directional (Direction.of_vec3_exn direction))
@@ -113,10 +113,10 @@ let name light =
   | Directional _ -> "directional"
   | Spherical _ -> "spherical"
 
-let with_line line light = { light with line }
+let with_origin origin light = { light with origin }
 
-let map_color f { source; intensity; color; line; _ } =
-  with_line line (make ~intensity ~color:(f color) source)
+let map_color f { source; intensity; color; origin; _ } =
+  with_origin origin (make ~intensity ~color:(f color) source)
 
 let equal_source a b =
   match (a, b) with

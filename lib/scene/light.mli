@@ -11,7 +11,7 @@ type t = private {
   intensity : float;
   color : Color.t;
   power : Color.t;  (** [intensity * color], at most [max_float] *)
-  line : int option;  (** where a scene file has it, lines counted from 1 *)
+  origin : Origin.t;
 }
 (** The type for lights. *)
 
@@ -94,9 +94,9 @@ val name : t -> string
 (** [name light] is the scene language's word: ["directional"] or
     ["spherical"]. *)
 
-val with_line : int option -> t -> t
-(** [with_line line light] is [light] with this line, or with none: of no file.
-*)
+val with_origin : Origin.t -> t -> t
+(** [with_origin origin light] is [light] with this origin, which at first is
+    unknown. *)
 
 val map_color : (Color.t -> Color.t) -> t -> t
 (** [map_color f light] is [light] in the colour [f color].
@@ -104,7 +104,7 @@ val map_color : (Color.t -> Color.t) -> t -> t
     Raises [Invalid_argument] if [f] makes a colour that no light may have. *)
 
 val equal : t -> t -> bool
-(** [equal a b] is whether [a] and [b] have the same numbers. Lines do not
+(** [equal a b] is whether [a] and [b] have the same numbers. Origins do not
     count. *)
 
 val pp : Format.formatter -> t -> unit

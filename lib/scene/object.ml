@@ -1,8 +1,8 @@
 open Raylab_geometry
 
-type t = { shape : Shape.t; surface : Surface.t; line : int option }
+type t = { shape : Shape.t; surface : Surface.t; origin : Origin.t }
 
-let make ?line shape surface = { shape; surface; line }
+let make ?(origin = Origin.Unknown) shape surface = { shape; surface; origin }
 
 let equal a b =
   Shape.equal a.shape b.shape && Surface.equal a.surface b.surface

@@ -2,19 +2,16 @@
 
 open Raylab_geometry
 
-type t = {
-  shape : Shape.t;
-  surface : Surface.t;
-  line : int option;  (** where a scene file has it, lines counted from 1 *)
-}
+type t = { shape : Shape.t; surface : Surface.t; origin : Origin.t }
 (** The type for objects. *)
 
-val make : ?line:int -> Shape.t -> Surface.t -> t
-(** [make shape surface] is the object of this shape and surface. *)
+val make : ?origin:Origin.t -> Shape.t -> Surface.t -> t
+(** [make ~origin shape surface] is the object of this shape and surface, whose
+    origin is by default unknown. *)
 
 val equal : t -> t -> bool
-(** [equal a b] is whether [a] and [b] have equal shapes and surfaces. Lines do
-    not count. *)
+(** [equal a b] is whether [a] and [b] have equal shapes and surfaces. Origins
+    do not count. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints shape and surface on one line. *)

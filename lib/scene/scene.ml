@@ -1,4 +1,5 @@
 open Raylab_geometry
+open Raylab_source
 
 type t = {
   camera : Camera.t;
@@ -6,6 +7,7 @@ type t = {
   ray_depth : int;
   lights : Light.t list;
   objects : Object.t list;
+  files : Files.t;
 }
 
 let default_ray_depth = 4
@@ -19,10 +21,14 @@ let require_ray_depth ray_depth =
          max_ray_depth ray_depth)
 
 let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
-    ?(lights = []) ?(objects = []) camera =
+    ?(lights = []) ?(objects = []) ?(files = Files.none) camera =
   require_background background;
   require_ray_depth ray_depth;
-  { camera; background; ray_depth; lights; objects }
+  { camera; background; ray_depth; lights; objects; files }
+
+let place scene : Origin.t -> Place.t option = function
+  | Unknown -> None
+  | Literal offset -> Files.place scene.files offset
 
 let with_camera camera scene = { scene with camera }
 
@@ -36,14 +42,7 @@ let with_ray_depth ray_depth scene =
 
 let with_lights lights scene = { scene with lights }
 let with_objects objects scene = { scene with objects }
-
-let without_lines scene =
-  let forget (o : Object.t) = { o with line = None } in
-  {
-    scene with
-    lights = List.map (Light.with_line None) scene.lights;
-    objects = List.map forget scene.objects;
-  }
+let without_places scene = { scene with files = Files.none }
 
 let greyscale scene =
   let grey c = Grey.to_color (Grey.of_color c) in
@@ -78,10 +77,12 @@ let warnings scene =
         "raydepth is 1: mirrors show nothing but the background" );
     ]
   @ Option.to_list (Option.map distorted (Proportions.distortion scene.camera))
-  @ Byte_colors.warnings ~background:scene.background scene.lights
-      scene.objects
-  @ Kept_in.warnings scene.camera scene.lights scene.objects
-  @ Twins.warnings scene.objects
+  @ List.map
+      (Warning.to_string (place scene))
+      (Byte_colors.warnings ~background:scene.background scene.lights
+         scene.objects
+      @ Kept_in.warnings scene.camera scene.lights scene.objects
+      @ Twins.warnings scene.objects)
 
 let equal a b =
   Camera.equal a.camera b.camera

@@ -1,6 +1,8 @@
 (** Scenes that are ready to be rendered: every number in one is known to obey
     the rules. *)
 
+open Raylab_source
+
 type t = private {
   camera : Camera.t;
   background : Color.t;
@@ -8,6 +10,7 @@ type t = private {
       (** rays in a chain at most, the primary ray included; at least 0 *)
   lights : Light.t list;
   objects : Object.t list;
+  files : Files.t;  (** those in which the origins are *)
 }
 (** The type for scenes. Lights and objects are numbered by their place in
     these lists, from 1. *)
@@ -17,11 +20,12 @@ val make :
   ?ray_depth:int ->
   ?lights:Light.t list ->
   ?objects:Object.t list ->
+  ?files:Files.t ->
   Camera.t ->
   t
 (** [make camera] is the scene seen by [camera]. [background] defaults to
-    {!Color.black}, [ray_depth] to {!default_ray_depth}, [lights] and [objects]
-    to none.
+    {!Color.black}, [ray_depth] to {!default_ray_depth}, [lights], [objects]
+    and [files] to none.
 
     Raises [Invalid_argument] if [ray_depth] is negative or greater than
     {!max_ray_depth}, or a channel of [background] is negative or not finite.
@@ -49,15 +53,21 @@ val with_ray_depth : int -> t -> t
 
 val with_lights : Light.t list -> t -> t
 (** [with_lights lights scene] is [scene] with these lights instead of its own.
-*)
+    Their origins are in the files of [scene], or unknown. *)
 
 val with_objects : Object.t list -> t -> t
 (** [with_objects objects scene] is [scene] with these objects instead of its
-    own. *)
+    own, likewise. *)
 
-val without_lines : t -> t
-(** [without_lines scene] is [scene], of no file: its lights and objects have
-    no lines. *)
+val without_places : t -> t
+(** [without_places scene] is [scene], of no file: its lights and objects have
+    no place. *)
+
+(** {1 Places} *)
+
+val place : t -> Origin.t -> Place.t option
+(** [place scene origin] is where the files of [scene] have what is of this
+    origin; [None] if that is unknown, or they do not have it. *)
 
 (** {1 As a whole} *)
 
@@ -72,7 +82,7 @@ val warnings : t -> string list
     from all that is seen, objects in the same place. *)
 
 val equal : t -> t -> bool
-(** [equal a b] is whether [a] and [b] are the same scene. Source lines do not
+(** [equal a b] is whether [a] and [b] are the same scene. Origins do not
     count. *)
 
 val pp : Format.formatter -> t -> unit

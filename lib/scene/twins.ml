@@ -1,9 +1,11 @@
 open Raylab_geometry
 
 let tell ((k, (first : Object.t)), (l, (second : Object.t))) =
-  Printf.sprintf "%s is where %s is: they hide each other"
-    (Warning.name l second) (Warning.name k first)
-  |> Warning.at [ first.line; second.line ]
+  let text =
+    Printf.sprintf "%s is where %s is: they hide each other"
+      (Warning.name l second) (Warning.name k first)
+  in
+  { Warning.text; about = [ first.origin; second.origin ] }
 
 let warnings objects =
   let seen = Hashtbl.create (List.length objects) in

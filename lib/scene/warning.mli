@@ -1,10 +1,18 @@
-(** How warnings are worded. *)
+(** Warnings: what is allowed but hardly meant, and how it is worded. *)
 
-val at : int option list -> string -> string
-(** [at lines text] is [text] with the lines of what it speaks of, as far as
-    they are known: ["text (lines 4 and 9)"]. *)
+open Raylab_source
 
-val few : string -> ('a -> string) -> 'a list -> string list
+type t = {
+  text : string;
+  about : Origin.t list;  (** of what it speaks of, as far as that has one *)
+}
+(** The type for warnings. *)
+
+val to_string : (Origin.t -> Place.t option) -> t -> string
+(** [to_string place warning] is its text with the places of what it speaks of,
+    as far as they are known: ["text (lines 4 and 9)"]. *)
+
+val few : string -> ('a -> t) -> 'a list -> t list
 (** [few noun tell items] tells the first ten of [items], and how many more
     there are, [noun] being what one is: ["3 more lights are like that"]. *)
 

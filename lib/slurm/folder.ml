@@ -16,6 +16,11 @@ let make_folder path =
   if Sys.file_exists path && Sys.is_directory path then Ok ()
   else told path (fun () -> Unix.mkdir path 0o777)
 
+(* The folders, outermost first, in which the file of this relative name is. *)
+let rec folders_of name =
+  let folder = Filename.dirname name in
+  if folder = name || folder = "." then [] else folders_of folder @ [ folder ]
+
 let has_text path text =
   try
     In_channel.with_open_bin path (fun channel ->
@@ -44,14 +49,14 @@ let make_executable path =
       let permissions = (Unix.stat path).st_perm in
       Unix.chmod path (permissions lor ((permissions land 0o444) lsr 2)))
 
-let write folder ~scene job =
+let write folder ~files job =
   let inside = Filename.concat folder in
-  let files =
-    List.map
-      (fun (name, text) -> (inside name, text))
-      ((Job.scene, scene) :: Job.scripts job)
+  let folders =
+    List.concat_map (fun (name, _) -> folders_of name) files @ Job.folders
+  and files =
+    List.map (fun (name, text) -> (inside name, text)) (files @ Job.scripts job)
   in
   let* () = for_all (check_file folder) files in
-  let* () = for_all make_folder (folder :: List.map inside Job.folders) in
+  let* () = for_all make_folder (folder :: List.map inside folders) in
   let* () = for_all write_file files in
   make_executable (submit folder)

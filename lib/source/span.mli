@@ -1,15 +1,10 @@
-(** Spans: pieces of a source text. *)
+(** Spans: pieces of the texts of a scene.
 
-type t
-(** The type for spans. A span takes one machine word, because a scene of a
-    million objects has several million of them. *)
+    All files of a scene lie in one space of offsets, one after another, so
+    that an offset tells the file as well as the byte; see {!Files}. *)
 
-val make : start:int -> stop:int -> t
-(** [make ~start ~stop] is the text from byte [start] up to but not including
-    byte [stop]. Offsets go up to 2^31, which is as long as a scene may be. *)
-
-val start : t -> int
-(** [start span] is the offset of its first byte. *)
-
-val stop : t -> int
-(** [stop span] is the offset after its last byte. *)
+type t = {
+  start : int;  (** the offset of the first byte *)
+  stop : int;  (** the offset after the last byte *)
+}
+(** The type for spans. A span may be empty, and lies in one file. *)

@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_scene
 open Raylab_language
 open Raylab_explanation
@@ -6,7 +7,7 @@ let errors = List.iter (Format.eprintf "%a@." Scene_error.pp)
 
 let warnings ?path scene =
   let file =
-    Option.fold ~none:"" ~some:(fun path -> Source.printable path ^ ": ") path
+    Option.fold ~none:"" ~some:(fun path -> Printable.text path ^ ": ") path
   in
   List.iter (Format.eprintf "%swarning: %s@." file) (Scene.warnings scene)
 
@@ -15,7 +16,7 @@ let count list noun =
   Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
 
 let contents path (scene : Scene.t) =
-  Format.printf "%s: %s, %s, %d x %d pixels@." (Source.printable path)
+  Format.printf "%s: %s, %s, %d x %d pixels@." (Printable.text path)
     (count scene.objects "object")
     (count scene.lights "light")
     scene.camera.width scene.camera.height

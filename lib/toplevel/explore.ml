@@ -117,4 +117,4 @@ let save path =
         or_sys_error (Picture_file.save format ~path (render ()))
       in
       Format.printf "%s@."
-        (Raylab_language.Source.printable (Atomic_file.wrote ~path outcome))
+        (Raylab_source.Printable.text (Atomic_file.wrote ~path outcome))

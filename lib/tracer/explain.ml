@@ -1,4 +1,5 @@
 open Raylab_geometry
+open Raylab_source
 open Raylab_scene
 
 type verdict =
@@ -7,6 +8,7 @@ type verdict =
       shadow_ray : Ray.t;
       by : int;
       blocker : Object.t;
+      place : Place.t option;
       t : float;
       point : Vec3.t;
     }
@@ -17,7 +19,12 @@ type verdict =
       contribution : Color.t;
     }
 
-type light = { number : int; light : Light.t; verdict : verdict }
+type light = {
+  number : int;
+  light : Light.t;
+  place : Place.t option;
+  verdict : verdict;
+}
 
 type t = {
   role : Event.role;
@@ -33,6 +40,7 @@ and outcome = Chain_ended | Missed | Hit of surface_hit
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
+  place : Place.t option;
   surface : Surface.t;
   lobes : Lobes.t;
   lights : light list;
@@ -52,12 +60,14 @@ type open_ray = {
 }
 
 let unexpected () = invalid_arg "Explain: events in a wrong order"
+let place scene origin = Scene.place (Trace.scene scene) origin
 
 let hit_of scene hit lights =
   let object_ = Trace.numbered_object scene hit.Hit.number in
   let surface = Surface.at object_.surface hit.own_point in
   let lobes = Surface.lobes surface in
-  { hit; object_; surface; lobes; lights = List.rev lights }
+  let place = place scene object_.origin and lights = List.rev lights in
+  { hit; object_; place; surface; lobes; lights }
 
 (* Each term that needs a ray takes the next of those that were closed. *)
 let terms_of terms closed =
@@ -80,8 +90,8 @@ let close scene { opened = role, ray, left; met; verdicts; closed; _ } terms
 
 let add_verdict scene state number verdict =
   let light = Trace.numbered_light scene number in
-  let verdicts = { number; light; verdict } :: state.verdicts in
-  { state with shadow_ray = None; verdicts }
+  let told = { number; light; place = place scene light.origin; verdict } in
+  { state with shadow_ray = None; verdicts = told :: state.verdicts }
 
 (* [tell scene state event] is [state] after an event that neither opens nor
    closes a ray. *)
@@ -94,7 +104,8 @@ let tell scene state : Event.t -> open_ray = function
       let shadow_ray = Option.get state.shadow_ray
       and blocker = Trace.numbered_object scene by in
       add_verdict scene state light
-        (Blocked { shadow_ray; by; blocker; t; point })
+        (let place = place scene blocker.origin in
+         Blocked { shadow_ray; by; blocker; place; t; point })
   | Lit { light; cosine; falloff; contribution } ->
       let shadow_ray = state.shadow_ray in
       add_verdict scene state light

@@ -3,9 +3,11 @@
     An explanation is the tree of what the evaluator did when it computed the
     colour, made of its own {!Event}s: rendering and explaining are one
     computation, so the colour of the root is the colour of the pixel, bit for
-    bit. *)
+    bit. Objects and lights come with their place, if they have one, so that
+    who tells of them needs no scene. *)
 
 open Raylab_geometry
+open Raylab_source
 open Raylab_scene
 
 (** What a light gives to a hit. *)
@@ -17,6 +19,7 @@ type verdict =
       shadow_ray : Ray.t;
       by : int;  (** the number of the blocking object, from 1 *)
       blocker : Object.t;
+      place : Place.t option;  (** of the blocking object *)
       t : float;  (** along the shadow ray *)
       point : Vec3.t;
     }
@@ -28,8 +31,13 @@ type verdict =
       contribution : Color.t;
     }
 
-type light = { number : int; light : Light.t; verdict : verdict }
-(** A light of the scene, with its number from 1, and its verdict. *)
+type light = {
+  number : int;  (** from 1 *)
+  light : Light.t;
+  place : Place.t option;
+  verdict : verdict;
+}
+(** A light of the scene, and its verdict. *)
 
 type t = {
   role : Event.role;
@@ -49,6 +57,7 @@ and outcome =
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
+  place : Place.t option;  (** of the object *)
   surface : Surface.t;  (** what [object_]'s surface is at the hit *)
   lobes : Lobes.t;  (** what [surface] denotes *)
   lights : light list;

@@ -25,7 +25,8 @@ let light json : Explain.light =
   let is_directional = kind json = "directional" in
   let place = if is_directional then "direction" else "position" in
   let base =
-    [ "number"; "line"; "kind"; place; "intensity"; "color"; "verdict" ]
+    ("number" :: place_members json)
+    @ [ "kind"; place; "intensity"; "color"; "verdict" ]
   in
   let get rest = members (base @ rest) json in
   let verdict, get =
@@ -35,10 +36,11 @@ let light json : Explain.light =
         (Explain.Faces_away { cosine = float (get "cosine") }, get)
     | "blocked" ->
         let get = get [ "shadow_ray"; "by"; "t"; "point" ] in
-        let by, blocker = object_ (get "by") in
+        let by, blocker, place = object_ (get "by") in
         let shadow_ray = shadow_ray (get "shadow_ray") in
         let point = vector (get "point") in
-        (Blocked { shadow_ray; by; blocker; t = float (get "t"); point }, get)
+        ( Blocked { shadow_ray; by; blocker; place; t = float (get "t"); point },
+          get )
     | "lit" ->
         let get = get [ "shadow_ray"; "cosine"; "falloff"; "contribution" ] in
         let shadow_ray = optional shadow_ray (get "shadow_ray") in
@@ -52,13 +54,13 @@ let light json : Explain.light =
     let intensity = float (get "intensity")
     and color = color (get "color")
     and place = vector (get place) in
-    Light.with_line
-      (optional int (get "line"))
+    Light.with_origin (origin json)
       (if is_directional then
          Light.directional ~intensity ~color ~direction:place
        else Light.spherical ~intensity ~color ~position:place)
   in
-  { number = int (get "number"); light; verdict }
+  let place = Test_support.Build.place light.origin in
+  { number = int (get "number"); light; place; verdict }
 
 let rec ray role json : Explain.t =
   let names = ray_members @ [ "left"; "color"; "outcome"; "hit"; "terms" ] in
@@ -102,7 +104,7 @@ and hit json : Explain.surface_hit =
     @ [ "offset"; "emission"; "albedo"; "mirror"; "lights" ]
   in
   let get = members names json in
-  let number, object_ = object_ (get "object") in
+  let number, object_, place = object_ (get "object") in
   let own_point = vector (get "own_point") in
   {
     hit =
@@ -117,6 +119,7 @@ and hit json : Explain.surface_hit =
         offset = float (get "offset");
       };
     object_;
+    place;
     surface = Surface.at object_.surface own_point;
     lobes =
       {

@@ -1,6 +1,8 @@
 open Raylab_geometry
+open Raylab_source
 open Raylab_scene
 open Raylab_language
+open Test_support
 
 exception Wrong of string
 
@@ -70,13 +72,28 @@ let rec written : Yojson.Safe.t -> string list = function
 let read words =
   let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
   let source =
-    Source.make ~name:"JSON" (String.concat " " (header :: words))
+    Sources.make ~name:"JSON" (String.concat " " (header :: words))
   in
   match Scene_file.parse source with
   | Ok { objects = [ o ]; _ } -> o
   | _ -> wrong (String.concat " " words)
 
+let place_members : Yojson.Safe.t -> string list = function
+  | `Assoc found when List.mem_assoc "file" found -> [ "line"; "file" ]
+  | _ -> [ "line" ]
+
+let origin json =
+  let line = optional int (member "line" json) in
+  match (line, place_members json) with
+  | None, _ -> Origin.Unknown
+  | Some line, [ _ ] -> Build.at_line line
+  | Some line, _ ->
+      if text (member "file" json) <> "wood.scene" then wrong "file";
+      Build.at_line_of_wood line
+
 let object_ json =
-  let get = members [ "number"; "line"; "shape"; "surface" ] json in
+  let names = ("number" :: place_members json) @ [ "shape"; "surface" ] in
+  let get = members names json in
   let o = read (written (get "shape") @ written (get "surface")) in
-  (int (get "number"), { o with line = optional int (get "line") })
+  let origin = origin json in
+  (int (get "number"), { o with origin }, Build.place origin)

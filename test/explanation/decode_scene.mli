@@ -1,6 +1,7 @@
 (** The scene's things in the JSON of explanations, and plain values. *)
 
 open Raylab_geometry
+open Raylab_source
 open Raylab_scene
 
 exception Wrong of string
@@ -36,5 +37,11 @@ val kind : Yojson.Safe.t -> string
 
 (** {1 Objects} *)
 
-val object_ : Yojson.Safe.t -> int * Object.t
-(** [object_ json] is an OBJECT and its number. *)
+val place_members : Yojson.Safe.t -> string list
+(** [place_members json] is the names of the members that tell a place. *)
+
+val origin : Yojson.Safe.t -> Origin.t
+(** [origin json] is where in {!Test_support.Build.files} that place is. *)
+
+val object_ : Yojson.Safe.t -> int * Object.t * Place.t option
+(** [object_ json] is an OBJECT, its number and its place. *)

@@ -1,3 +1,4 @@
+open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Raylab_explanation
@@ -87,7 +88,7 @@ let test_document () =
     (Yojson.Safe.to_string expected)
     (Yojson.Safe.to_string found)
 
-(* Every kind of surface, light and verdict, and lines of a file. *)
+(* Every kind of surface, light and verdict, and lines of two files. *)
 let test_all_kinds () =
   let some = Surface.diffusive (rgb 0.1 0.2 0.3) in
   let mix =
@@ -100,12 +101,12 @@ let test_all_kinds () =
   in
   let lights =
     [
-      Light.with_line (Some 3)
+      Light.with_origin (at_line 3)
         (Light.spherical ~intensity:0.7 ~color:Color.cyan
            ~position:(v 0. 1. (-1.)));
       Light.directional ~intensity:1. ~color:Color.white
         ~direction:(v 0.3 1. 0.7);
-      Light.with_line (Some 4)
+      Light.with_origin (at_line_of_wood 4)
         (Light.directional ~intensity:1. ~color:Color.white
            ~direction:(v 0. 1. (-1.)));
     ]
@@ -113,11 +114,13 @@ let test_all_kinds () =
   let objects =
     [
       plane ~line:7 (v 0. 0. 4.) (v 0.1 0. 1.) mix;
-      sphere ~line:8 (v 0. (-3.) 1.) 1.5 some;
+      Object.make ~origin:(at_line_of_wood 8)
+        (Shape.sphere ~centre:(v 0. (-3.) 1.) ~radius:1.5)
+        some;
       sphere (v 0.4 0. (-6.)) 1.5 Surface.reflective;
     ]
   in
-  let scene = Trace.prepare (Scene.make ~lights ~objects (camera ())) in
+  let scene = Trace.prepare (Scene.make ~lights ~objects ~files (camera ())) in
   let e = Explain.centre (Explain.pixel scene ~x:0 ~y:0) in
   let verdicts =
     match e.outcome with

@@ -6,7 +6,9 @@ open Build
 
 (* The only pixel looks along the z axis, from (0, 0, -1). *)
 let check what expected ?background ?ray_depth ?(lights = []) objects =
-  let scene = Scene.make ?background ?ray_depth ~lights ~objects (camera ()) in
+  let scene =
+    Scene.make ?background ?ray_depth ~lights ~objects ~files (camera ())
+  in
   let e = Explain.centre (Explain.pixel (Trace.prepare scene) ~x:0 ~y:0) in
   Alcotest.(check string) what expected (Summary.reason e)
 

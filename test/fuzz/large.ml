@@ -47,7 +47,9 @@ let texts =
 [@@ocamlformat "disable"]
 
 let read text =
-  ignore (Scene_file.parse (Source.make ~name:"fuzz" text) |> Result.is_ok)
+  ignore
+    (Scene_file.parse (Raylab_source.Sources.make ~name:"fuzz" text)
+    |> Result.is_ok)
 
 let growth ~measure make n =
   let work n =

@@ -2,7 +2,9 @@ open Raylab_scene
 open Raylab_language
 open Raylab_tracer
 
-let parse text = Scene_file.parse (Source.make ~name:"fuzz" text)
+let parse text =
+  Scene_file.parse (Raylab_source.Sources.make ~name:"fuzz" text)
+
 let printed pp value = Format.asprintf "%a" pp value
 
 (* {1 Errors} *)

@@ -8,7 +8,9 @@ let folder = "errors"
 let read path = In_channel.with_open_bin path In_channel.input_all
 
 let printed name =
-  let source = Source.make ~name (read (Filename.concat folder name)) in
+  let source =
+    Raylab_source.Sources.make ~name (read (Filename.concat folder name))
+  in
   match Scene_file.parse source with
   | Ok _ -> Alcotest.failf "%s has no error" name
   | Error errors ->

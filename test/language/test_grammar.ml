@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_scene
 open Test_support
 open Build
@@ -93,11 +94,14 @@ let test_lines () =
           reflective plane 0 0 0\r0 1 0 reflective sphere 0 0 6 1 reflective")
   in
   let lines = Alcotest.(list (option int)) in
+  let line origin =
+    Option.map (fun { Place.line; _ } -> line) (Scene.place scene origin)
+  in
   Alcotest.check lines "lights" [ Some 3; Some 4 ]
-    (List.map (fun (light : Light.t) -> light.line) scene.lights);
+    (List.map (fun (light : Light.t) -> line light.origin) scene.lights);
   Alcotest.check lines "objects"
     [ Some 8; Some 9; Some 10 ]
-    (List.map (fun (o : Object.t) -> o.line) scene.objects)
+    (List.map (fun (o : Object.t) -> line o.origin) scene.objects)
 
 let suite =
   ( "Grammar",

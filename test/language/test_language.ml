@@ -1,9 +1,6 @@
 let () =
   Alcotest.run "language"
     [
-      Test_span.suite;
-      Test_lines.suite;
-      Test_source.suite;
       Test_decimal.suite;
       Test_lexer.suite;
       Test_keyword.suite;
@@ -19,6 +16,7 @@ let () =
       Test_program_errors.suite;
       Test_program.suite;
       Test_expectation.suite;
+      Test_second_file.suite;
       Test_load.suite;
       Test_round_trip.suite;
       Test_hostile.suite;

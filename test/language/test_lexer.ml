@@ -74,24 +74,6 @@ let test_comments () =
   check "1 # 2\r3" [ "1"; "3" ];
   check "#\r1" [ "1" ]
 
-(* The lexer counts lines for objects, and the index of lines for errors. *)
-let counts_lines =
-  let text =
-    QCheck2.Gen.(
-      string_size ~gen:(oneofl [ 'a'; ' '; '#'; '\n'; '\r' ]) (0 -- 30))
-  in
-  Test_support.Property.holds "counts lines as errors do" ~count:2000
-    ~print:String.escaped text (fun text ->
-      let lexbuf = Lexing.from_string text and index = Lines.index text in
-      let words = Lexer.start () in
-      let rec all_same () =
-        let token = Lexer.token words lexbuf in
-        let { Lexing.pos_cnum; pos_lnum; _ } = lexbuf.lex_start_p in
-        pos_lnum = (Lines.at index pos_cnum).number + 1
-        && (token = EOF || all_same ())
-      in
-      all_same ())
-
 let test_words () =
   check "SPHERE Sphere sPhErE" [ "sphere"; "sphere"; "sphere" ];
   check "imwidth IMWIDTH" [ "imWidth"; "imWidth" ];
@@ -116,5 +98,4 @@ let suite =
       Alcotest.test_case "comments" `Quick test_comments;
       Alcotest.test_case "words" `Quick test_words;
       Alcotest.test_case "any bytes" `Quick test_bytes;
-      counts_lines;
     ] )

@@ -5,7 +5,8 @@ open Build
 let check what expected ?(background = Color.black) lights objects =
   Alcotest.(check (list string))
     what expected
-    (Byte_colors.warnings ~background lights objects)
+    (List.map (Warning.to_string place)
+       (Byte_colors.warnings ~background lights objects))
 
 let ball surface = sphere (v 0. 0. 6.) 1. surface
 let no what color = check what [] [] [ ball (Surface.luminous color) ]

@@ -3,10 +3,12 @@ open Test_support
 open Build
 
 (* The eye is at (0, 0, -1). *)
+let told lights objects =
+  Kept_in.warnings (camera ()) lights objects
+  |> List.map (Warning.to_string place)
+
 let check what expected lights objects =
-  Alcotest.(check (list string))
-    what expected
-    (Kept_in.warnings (camera ()) lights objects)
+  Alcotest.(check (list string)) what expected (told lights objects)
 
 let white = Color.white
 let at x y z = Light.spherical ~intensity:1. ~color:white ~position:(v x y z)
@@ -53,12 +55,12 @@ let test_planes () =
 let test_lines () =
   check "lines"
     [ "light 1 is inside sphere 1, which keeps its light in (lines 4 and 7)" ]
-    [ Light.with_line (Some 4) (at 0. 0. 6.) ]
+    [ Light.with_origin (at_line 4) (at 0. 0. 6.) ]
     [ sphere ~line:7 (v 0. 0. 6.) 1. matt ]
 
 let test_many () =
   let lights n = List.init n (fun _ -> at 0. 0. 6.) in
-  let told n = Kept_in.warnings (camera ()) (lights n) [ ball ] in
+  let told n = told (lights n) [ ball ] in
   Alcotest.(check int) "ten are told" 10 (List.length (told 10));
   Alcotest.(check string)
     "and one" "1 more light is like that"

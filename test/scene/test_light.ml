@@ -114,8 +114,8 @@ let test_values () =
   Expect.prints "spherical"
     "spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0)" Light.pp
     (Light.spherical ~intensity:1. ~color:Color.white ~position:(v 0. 5. 0.));
-  Alcotest.check Same.light "lines do not count" bulb
-    (Light.with_line (Some 9) bulb);
+  Alcotest.check Same.light "origins do not count" bulb
+    (Light.with_origin (at_line 9) bulb);
   Alcotest.(check bool) "kinds differ" false (Light.equal sun bulb);
   check_color "map_color" Color.blue
     (Light.map_color (fun _ -> Color.blue) bulb).color

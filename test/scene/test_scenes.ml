@@ -58,7 +58,7 @@ let test_equal () =
     Alcotest.(check bool) what false (Scene.equal scene other)
   in
   Alcotest.check Same.scene "the same again" scene (copy ());
-  Alcotest.check Same.scene "with other lines" scene
+  Alcotest.check Same.scene "with other origins" scene
     (copy
        ~objects:
          [ sphere ~line:3 (v 0. 0. 6.) 1. (Surface.diffusive (rgb 1. 0. 0.)) ]
@@ -66,6 +66,22 @@ let test_equal () =
   differs "no lights" (copy ~lights:[] ());
   differs "one object twice" (copy ~objects:[ ball; ball ] ());
   differs "another camera" (copy ~camera:(camera ~width:2 ()) ())
+
+let test_places () =
+  let check what expected scene origin =
+    Alcotest.(check (option string))
+      what expected
+      (Option.map Raylab_source.Place.to_string (Scene.place scene origin))
+  in
+  let scene = Scene.make ~files (camera ()) in
+  check "the main file" (Some "line 7") scene (at_line 7);
+  check "another" (Some "line 7 of wood.scene") scene (at_line_of_wood 7);
+  check "unknown" None scene Unknown;
+  let changed =
+    Scene.(scene |> with_ray_depth 1 |> with_objects [] |> greyscale)
+  in
+  check "of a changed scene" (Some "line 7") changed (at_line 7);
+  check "without places" None (Scene.without_places scene) (at_line 7)
 
 (* A scene whose every part is another than the default, so that a part that is
    lost is missed. *)
@@ -116,5 +132,6 @@ let suite =
       Alcotest.test_case "greyscale" `Quick test_greyscale;
       Alcotest.test_case "equal" `Quick test_equal;
       Alcotest.test_case "with one thing changed" `Quick test_with;
+      Alcotest.test_case "places" `Quick test_places;
       Alcotest.test_case "pp" `Quick test_pp;
     ] )

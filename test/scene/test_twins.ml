@@ -2,8 +2,10 @@ open Raylab_scene
 open Test_support
 open Build
 
+let told objects = List.map (Warning.to_string place) (Twins.warnings objects)
+
 let check what expected objects =
-  Alcotest.(check (list string)) what expected (Twins.warnings objects)
+  Alcotest.(check (list string)) what expected (told objects)
 
 let matt = Surface.diffusive Color.white
 let floor = plane (v 0. (-2.) 0.) (v 0. 1. 0.) matt
@@ -46,7 +48,7 @@ let any_plane =
           (Vec3.scale a (v n.y (-.n.x) 0.))
           (Vec3.scale b (v 0. n.z (-.n.y)))
       in
-      Twins.warnings
+      told
         [
           plane point n matt;
           plane (Vec3.add point across) (Vec3.scale k n) matt;
@@ -76,11 +78,23 @@ let test_several () =
        (fun (line, x) -> sphere ~line (v x 0. 6.) 1. matt)
        [ (4, 0.); (5, 1.); (6, 0.); (7, 0.) ])
 
+let test_of_two_files () =
+  let o line_origin =
+    Object.make ~origin:line_origin (sphere (v 0. 0. 6.) 1. matt).shape matt
+  in
+  check "the files"
+    [
+      "sphere 2 is where sphere 1 is: they hide each other (line 4 and line 9 \
+       of wood.scene)";
+    ]
+    [ o (at_line 4); o (at_line_of_wood 9) ]
+
 let suite =
   ( "Twins",
     [
       Alcotest.test_case "planes" `Quick test_planes;
       Alcotest.test_case "spheres" `Quick test_spheres;
       Alcotest.test_case "several" `Quick test_several;
+      Alcotest.test_case "of two files" `Quick test_of_two_files;
       any_plane;
     ] )

@@ -15,7 +15,7 @@
   > load "green.scene";;
   > show ();;
   > print_endline "closed twice";;
-  > use (Scene.without_lines (scene ()));;
+  > use (Scene.without_places (scene ()));;
   > show ();;
   > EOF
 

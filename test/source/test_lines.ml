@@ -1,21 +1,24 @@
-open Raylab_language
+open Raylab_source
 
-let line text offset =
-  let { Lines.number; start; stop } = Lines.at (Lines.index text) offset in
-  (number, start, stop)
+let look index offset =
+  let { Lines.number; start; next } = Lines.at index offset in
+  (number, start, next)
+
+let line text offset = look (Lines.index text) offset
 
 (* What [Lines.at] is, by cutting the text into lines, one end after another. *)
 let slow text offset =
   let length = String.length text in
   let rec cut number start =
     let rec find i =
-      if i < length && not (String.contains "\r\n" text.[i]) then find (i + 1)
+      if i < length && text.[i] <> '\r' && text.[i] <> '\n' then find (i + 1)
       else i
     in
     let stop = find start in
     let is_crlf = stop + 1 < length && String.sub text stop 2 = "\r\n" in
     let next = stop + if is_crlf then 2 else 1 in
-    if offset < next || next > length then (number, start, stop)
+    if next > length then (number, start, length)
+    else if offset < next then (number, start, next)
     else cut (number + 1) next
   in
   cut 0 0
@@ -41,31 +44,29 @@ let test_ends () =
   in
   check "after CR" (1, 2, 3) "a\rb" 2;
   check "CR LF is one" (1, 3, 4) "a\r\nb" 3;
-  check "the LF of CR LF is in the line that it ends" (0, 0, 1) "a\r\nb" 2;
+  check "the LF of CR LF is in the line that it ends" (0, 0, 3) "a\r\nb" 2;
   check "LF CR are two" (2, 3, 4) "a\n\rb" 3
 
-(* Lines shorter and longer than the pieces in which the index looks. Where a
-   piece begins in the middle of CR LF, that is still one end. *)
+(* Lines whose lengths take one, two and three bytes, and more lines than one
+   counts from a place that is known. *)
 let test_long () =
   let check line_end length =
     let line_of k = String.make (k * length mod (length + 7)) 'a' in
-    let text = String.concat line_end (List.init 12 line_of) in
+    let text = String.concat line_end (List.init 300 line_of) in
     let index = Lines.index text in
-    let step = 1 + (String.length text / 100) in
+    let step = 1 + (String.length text / 20) in
     let offset = ref 0 in
     while !offset <= String.length text do
-      let { Lines.number; start; stop } = Lines.at index !offset in
-      Alcotest.check place "the same" (slow text !offset) (number, start, stop);
+      Alcotest.check place "the same" (slow text !offset) (look index !offset);
       offset := !offset + step
     done
   in
   List.iter
-    (fun line_end ->
-      List.iter (check line_end) [ 1; 50; 4094; 4095; 4096; 4097; 10_000 ])
+    (fun line_end -> List.iter (check line_end) [ 1; 50; 126; 127; 128; 3000 ])
     [ "\n"; "\r"; "\r\n" ];
-  let text = String.make 4095 'a' ^ "\r\nb" in
-  Alcotest.check place "at a seam" (0, 0, 4095) (line text 4096);
-  Alcotest.check place "after it" (1, 4097, 4098) (line text 4097)
+  let text = String.make 20_000 'a' ^ "\n" ^ String.make 3_000_000 'b' in
+  Alcotest.check place "long" (0, 0, 20_001) (line text 20_000);
+  Alcotest.check place "very long" (1, 20_001, 3_020_001) (line text 3_000_000)
 
 let text =
   QCheck2.Gen.(string_size ~gen:(oneofl [ 'a'; '\n'; '\r' ]) (0 -- 20))
@@ -76,22 +77,28 @@ let of_any_text =
       let same offset = slow text offset = line text offset in
       List.for_all same (List.init (String.length text + 1) Fun.id))
 
-(* Of any text, the one that is nothing but line ends included. *)
+(* A byte or two a line, and a little for what is known of every 128th. *)
 let test_memory () =
-  let words value = Obj.reachable_words (Obj.repr value) in
-  List.iter
-    (fun char ->
-      let text = String.make 1_000_000 char in
-      let index = Lines.index text in
-      Alcotest.(check bool)
-        "some thousandths" true
-        (words index - words text < words text / 100))
-    [ '\n'; '\r'; 'a' ]
+  let check what bytes text =
+    let words = Obj.reachable_words (Obj.repr (Lines.index text)) in
+    Alcotest.(check bool) what true (8 * words < 200 + (bytes * 5 / 4))
+  in
+  check "nothing but line ends" 1_000_001 (String.make 1_000_000 '\n');
+  check "one line" 3 (String.make 1_000_000 'a');
+  let lines = String.concat "\n" (List.init 10_000 (fun _ -> "sphere")) in
+  check "short lines" 10_000 lines
+
+let test_as_data () =
+  let index = Lines.index "a\nbc\n" in
+  let copy = Marshal.from_string (Marshal.to_string index []) 0 in
+  Alcotest.(check bool) "is data" true (copy = index);
+  Alcotest.(check int) "length" 5 (Lines.length index)
 
 let suite =
   ( "Lines",
     [
       Alcotest.test_case "memory" `Quick test_memory;
+      Alcotest.test_case "as data" `Quick test_as_data;
       Alcotest.test_case "few" `Quick test_few;
       Alcotest.test_case "ends" `Quick test_ends;
       Alcotest.test_case "long" `Quick test_long;

@@ -1,0 +1,1 @@
+type t = Unknown | Literal of int
