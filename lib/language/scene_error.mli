@@ -10,7 +10,8 @@ type t = {
       (** the line in question with a marker under the place, or [""] *)
   advice : string;  (** what to do, or [""] *)
 }
-(** The type for errors. All strings are printable; see {!Printable}. *)
+(** The type for errors. All strings are printable; see
+    {!Raylab_source.Printable}. *)
 
 val make : Sources.t -> Span.t -> ?advice:string -> string -> t
 (** [make sources span message] is the error that [span] is wrong. *)
