@@ -6,7 +6,7 @@ let check path =
   match Scene_file.load path with
   | Ok scene ->
       List.iter
-        (Command.tell "%s: warning: %s" (Raylab_source.Printable.text path))
+        (Command.line "%s: warning: %s" (Raylab_source.Printable.text path))
         (Scene.warnings scene);
       true
   | Error errors ->

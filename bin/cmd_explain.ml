@@ -58,7 +58,7 @@ let text pixels =
   String.concat "\n" (List.map one pixels)
 
 let steps scene pixels =
-  let camera = (Trace.scene scene).camera in
+  let camera = scene.Prepared.scene.camera in
   let one (x, y) =
     let events = Explain.steps scene (Camera.primary_ray camera ~x ~y) in
     let line k event = Format.asprintf "%4d  %a\n" (k + 1) Event.pp event in
@@ -97,7 +97,7 @@ let explain options () =
   List.iter (check_pixel scene.camera) options.pixels;
   Options.warn options.view written;
   Option.iter check_place options.svg;
-  let prepared = Trace.prepare scene in
+  let prepared = Prepared.make scene in
   let explained (x, y) = Explain.pixel prepared ~x ~y in
   let pixels () = List.map explained options.pixels in
   let svg () =

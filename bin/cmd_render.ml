@@ -100,7 +100,7 @@ let band options sources { Camera.width; height; _ } =
 
 let print_stats (tally : Tally.t) ~pixels ~seconds =
   let rays = Tally.rays tally in
-  let count name n = Command.tell "%-15s %12d" name n in
+  let count name n = Command.line "%-15s %12d" name n in
   count "primary rays" tally.primary;
   count "reflected rays" tally.reflected;
   count "shadow rays" tally.shadow;
@@ -108,8 +108,8 @@ let print_stats (tally : Tally.t) ~pixels ~seconds =
   count "hits" tally.hits;
   count "lights blocked" tally.blocked;
   count "pixels" pixels;
-  Command.tell "%-15s %12.3f s" "time" seconds;
-  Command.tell "%-15s %12.0f" "rays per second" (float_of_int rays /. seconds)
+  Command.line "%-15s %12.3f s" "time" seconds;
+  Command.line "%-15s %12.0f" "rays per second" (float_of_int rays /. seconds)
 
 let show options target scene picture ~seconds =
   let quietly = options.quiet && options.show <> Asked_for in
@@ -126,7 +126,7 @@ let show options target scene picture ~seconds =
   in
   if wanted then
     let load () =
-      if Scene_path.is_stream options.scene then Ok (Trace.scene scene)
+      if Scene_path.is_stream options.scene then Ok scene.Prepared.scene
       else Window.load options.scene ~adjust:(Options.adjust options.view) ()
     in
     match
@@ -154,7 +154,7 @@ let render options () =
   let domains =
     Option.value options.domains ~default:(Parallel.default_domains ())
   in
-  let ready = Trace.prepare ~domains scene in
+  let ready = Prepared.make ~domains scene in
   let picture, tally =
     Signals.cleaning
       (fun () -> Progress.leave progress)

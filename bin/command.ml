@@ -14,10 +14,10 @@ let print_line line =
 
 (* File names and the like come from outside, and a terminal obeys what it is
    sent. *)
-let tell format =
+let line format =
   Printf.ksprintf (fun text -> print_line (Printable.text text)) format
 
-let say format = tell ("raylab: " ^^ format)
+let say format = line ("raylab: " ^^ format)
 
 let usage_errors =
   let out = Format.pp_get_formatter_out_functions Format.err_formatter () in

@@ -2,12 +2,12 @@
 
 (** {1 Messages} *)
 
-val tell : ('a, unit, string, unit) format4 -> 'a
-(** [tell "..." ...] prints a line on standard error, if that can be written
+val line : ('a, unit, string, unit) format4 -> 'a
+(** [line "..." ...] prints a line on standard error, if that can be written
     to. It prints {!Raylab_source.Printable} characters only. *)
 
 val say : ('a, unit, string, unit) format4 -> 'a
-(** [say "..." ...] is {!tell} with the name of the program before it. *)
+(** [say "..." ...] is {!line} with the name of the program before it. *)
 
 val usage_errors : Format.formatter
 (** [usage_errors] prints on standard error, and {!Raylab_source.Printable}

@@ -5,7 +5,7 @@ open Raylab_picture
 open Raylab_window
 
 (* a message may have several lines *)
-let tell text = List.iter (Command.tell "%s") (String.split_on_char '\n' text)
+let tell text = List.iter (Command.line "%s") (String.split_on_char '\n' text)
 let terminal channel = Terminal.make channel ~tell
 
 let check_size (scene : Scene.t) =

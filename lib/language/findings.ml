@@ -20,7 +20,7 @@ let start sources =
 
 let sources findings = findings.sources
 
-(* More help nobody, and a hostile file has as many as would fill memory. *)
+(* Nobody reads more of them, and those of a hostile file would fill memory. *)
 let most = 100_000
 
 let error findings span ?advice message =

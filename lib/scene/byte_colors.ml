@@ -7,7 +7,7 @@ let numbers format { Color.r; g; b } =
 
 type named = { name : string; color : Color.t; origin : Origin.t }
 
-let tell { name; color; origin } =
+let sentence { name; color; origin } =
   let text =
     Printf.sprintf
       "%s has the colour %s, which looks like 0 to 255; from 0 to 1 it is %s"
@@ -37,4 +37,4 @@ let warnings ~background lights objects =
   of_background background
   @ List.filter_map Fun.id (List.mapi of_light lights)
   @ List.concat (List.mapi of_object objects)
-  |> Warning.few "colour" tell
+  |> Warning.few "colour" sentence

@@ -63,6 +63,11 @@ let primary_ray camera ~x ~y =
   aim camera ~x ~y ray;
   Ray.of_raw ray
 
+let primary_rays camera =
+  Seq.concat_map
+    (fun y -> Seq.init camera.width (fun x -> primary_ray camera ~x ~y))
+    (Seq.init camera.height Fun.id)
+
 (* {1 From space to the picture} *)
 
 (* Homogeneous coordinates on the canvas: the place (x / w, y / w). Points on a

@@ -53,6 +53,9 @@ val primary_ray : t -> x:int -> y:int -> Ray.t
     pixel [(x, y)]; [x] counts from the left and [y] from the top, both from 0.
     Pixels outside the picture are all right. *)
 
+val primary_rays : t -> Ray.t Seq.t
+(** [primary_rays camera] is the ray of each pixel, row by row from the top. *)
+
 val aim : t -> x:int -> y:int -> Raw_ray.t -> unit
 (** [aim camera ~x ~y ray] makes [ray] the primary ray of pixel [(x, y)]. *)
 

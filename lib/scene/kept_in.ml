@@ -26,7 +26,7 @@ type kept = {
   eye : side;
 }
 
-let tell { number; light; by; o; eye } =
+let sentence { number; light; by; o; eye } =
   let name = Warning.name by o in
   let text =
     if eye = Inside then
@@ -58,4 +58,4 @@ let warnings camera lights objects =
     if k < looked_at then List.find_map keeps sides else None
   in
   List.mapi kept_in lights |> List.filter_map Fun.id
-  |> Warning.few "light" tell
+  |> Warning.few "light" sentence

@@ -1,6 +1,6 @@
 open Raylab_geometry
 
-let tell ((k, (first : Object.t)), (l, (second : Object.t))) =
+let sentence ((k, (first : Object.t)), (l, (second : Object.t))) =
   let text =
     Printf.sprintf "%s is where %s is: they hide each other"
       (Warning.name l second) (Warning.name k first)
@@ -18,4 +18,4 @@ let warnings objects =
         None
   in
   List.mapi twin_of objects |> List.filter_map Fun.id
-  |> Warning.few "object" tell
+  |> Warning.few "object" sentence

@@ -18,9 +18,9 @@ let to_string place { text; about } =
 
 let most = 10
 
-let few noun tell items =
+let few noun sentence items =
   let told = List.filteri (fun k _ -> k < most) items in
-  List.map tell told
+  List.map sentence told
   @
   match List.length items - most with
   | rest when rest <= 0 -> []

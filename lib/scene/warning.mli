@@ -13,8 +13,9 @@ val to_string : (Origin.t -> Place.t option) -> t -> string
     as far as they are known: ["text (lines 4 and 9)"]. *)
 
 val few : string -> ('a -> t) -> 'a list -> t list
-(** [few noun tell items] tells the first ten of [items], and how many more
-    there are, [noun] being what one is: ["3 more lights are like that"]. *)
+(** [few noun sentence items] is [sentence] of each of the first ten of
+    [items], and how many more there are, [noun] being what one is:
+    ["3 more lights are like that"]. *)
 
 val name : int -> Object.t -> string
 (** [name number o] is what object [number] is called: ["sphere 3"]. *)

@@ -73,8 +73,8 @@ let primary x y =
   check_pixel x y;
   Camera.primary_ray (scene ()).camera ~x ~y
 
-let trace ray = Trace.ray (Session.trace ()) ray
-let hit ray = Trace.nearest_hit (Session.trace ()) ray
+let trace ray = Tracer.color (Session.trace ()) ray
+let hit ray = Tracer.nearest_hit (Session.trace ()) ray
 let explain ray = Explain.ray (Session.trace ()) ray
 
 (* {1 Step by step} *)

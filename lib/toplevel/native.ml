@@ -114,7 +114,7 @@ let picture scene =
   check_size scene;
   match program () with
   | Some program -> with_scene_file scene (render_with program)
-  | None -> fst (Render.picture (Trace.prepare scene))
+  | None -> fst (Render.picture (Prepared.make scene))
 
 (* {1 The window} *)
 

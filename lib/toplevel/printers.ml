@@ -57,7 +57,7 @@ let events ppf events =
   let n = Seq.length events in
   Format.fprintf ppf "%d %s" n (if n = 1 then "step" else "steps")
 
-let trace ppf t = scene ppf (Trace.scene t)
+let trace ppf t = scene ppf t.Prepared.scene
 
 let verdict_in_box ppf : Explain.verdict -> unit = function
   | Faces_away { cosine } ->

@@ -86,7 +86,7 @@ val events : Format.formatter -> Event.t Seq.t -> unit
 [@@ocaml.toplevel_printer]
 (** [12 steps] *)
 
-val trace : Format.formatter -> Trace.t -> unit
+val trace : Format.formatter -> Prepared.t -> unit
 [@@ocaml.toplevel_printer]
 (** as {!scene} *)
 

@@ -6,12 +6,12 @@ open Raylab_picture
 type t = {
   scene : Scene.t;
   file : string option;
-  trace : Trace.t Lazy.t;
+  trace : Prepared.t Lazy.t;
   walk : Walk.t option;
 }
 
 let about ?file scene =
-  { scene; file; trace = lazy (Trace.prepare scene); walk = None }
+  { scene; file; trace = lazy (Prepared.make scene); walk = None }
 
 let current = ref (about Build.empty)
 let scene () = !current.scene

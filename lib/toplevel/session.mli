@@ -14,7 +14,7 @@ val file : unit -> string option
 (** [file ()] is the file that the current scene was loaded from, if it was
     from one that has a name; see {!Raylab_picture.Target.has_name}. *)
 
-val trace : unit -> Trace.t
+val trace : unit -> Prepared.t
 (** [trace ()] is the current scene made ready for tracing. *)
 
 val use : Scene.t -> unit

@@ -116,7 +116,7 @@ let evaluate t =
   (match t.observe with None -> () | Some observe -> observe (Done color));
   color
 
-let ray t r =
+let color t r =
   load t r;
   evaluate t
 

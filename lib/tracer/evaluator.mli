@@ -1,8 +1,8 @@
 (** The inner loop: from a ray in a register to its colour.
 
     This, with its part {!Lighting}, is the one place where the meaning of a
-    scene is computed; {!Trace} gives it a pure face. It keeps what it is at in
-    {!Registers}, which nobody else sees. *)
+    scene is computed; {!Tracer} gives it a pure face. It keeps what it is at
+    in {!Registers}, which nobody else sees. *)
 
 open Raylab_geometry
 open Raylab_scene
@@ -17,8 +17,8 @@ val create : ?observe:(Event.t -> unit) -> Prepared.t -> t
 val tally : t -> Tally.t
 (** [tally t] is what [t] has done so far. *)
 
-val ray : t -> Ray.t -> Color.t
-(** [ray t r] is the colour of [r], with the scene's ray depth. It is not
+val color : t -> Ray.t -> Color.t
+(** [color t r] is the colour of [r], with the scene's ray depth. It is not
     counted as a primary ray. *)
 
 val pixel : t -> x:int -> y:int -> Color.t

@@ -60,10 +60,10 @@ type open_ray = {
 }
 
 let unexpected () = invalid_arg "Explain: events in a wrong order"
-let place scene origin = Scene.place (Trace.scene scene) origin
+let place scene origin = Scene.place scene.Prepared.scene origin
 
 let hit_of scene hit lights =
-  let object_ = Trace.numbered_object scene hit.Hit.number in
+  let object_ = Prepared.numbered_object scene hit.Hit.number in
   let surface = Surface.at object_.surface hit.own_point in
   let lobes = Surface.lobes surface in
   let place = place scene object_.origin and lights = List.rev lights in
@@ -89,20 +89,20 @@ let close scene { opened = role, ray, left; met; verdicts; closed; _ } terms
   { role; ray; left; outcome; terms = terms_of terms closed; color }
 
 let add_verdict scene state number verdict =
-  let light = Trace.numbered_light scene number in
+  let light = Prepared.numbered_light scene number in
   let told = { number; light; place = place scene light.origin; verdict } in
   { state with shadow_ray = None; verdicts = told :: state.verdicts }
 
-(* [tell scene state event] is [state] after an event that neither opens nor
+(* [after scene state event] is [state] after an event that neither opens nor
    closes a ray. *)
-let tell scene state : Event.t -> open_ray = function
+let after scene state : Event.t -> open_ray = function
   | Met hit -> { state with met = Some hit }
   | Faces_away { light; cosine } ->
       add_verdict scene state light (Faces_away { cosine })
   | Shadow_ray { ray; _ } -> { state with shadow_ray = Some ray }
   | Blocked { light; by; t; point } ->
       let shadow_ray = Option.get state.shadow_ray
-      and blocker = Trace.numbered_object scene by in
+      and blocker = Prepared.numbered_object scene by in
       add_verdict scene state light
         (let place = place scene blocker.origin in
          Blocked { shadow_ray; by; blocker; place; t; point })
@@ -133,13 +133,13 @@ let step scene (open_rays, root) (event : Event.t) =
       | around :: outer ->
           ({ around with closed = e :: around.closed } :: outer, root))
   | Done _, [] -> ([], root)
-  | event, state :: outer -> (tell scene state event :: outer, root)
+  | event, state :: outer -> (after scene state event :: outer, root)
   | _, [] -> unexpected ()
 
 let events scene r =
   let told = ref [] in
   let observe event = told := event :: !told in
-  ignore (Evaluator.ray (Trace.evaluator ~observe scene) r : Color.t);
+  ignore (Evaluator.color (Evaluator.create ~observe scene) r : Color.t);
   List.rev !told
 
 let ray scene r =
@@ -172,7 +172,7 @@ let light e =
 type pixel = { x : int; y : int; samples : t list; color : Color.t }
 
 let pixel scene ~x ~y =
-  let camera = (Trace.scene scene).camera in
+  let camera = scene.Prepared.scene.camera in
   let e = ray scene (Camera.primary_ray camera ~x ~y) in
   { x; y; samples = [ e ]; color = e.color }
 

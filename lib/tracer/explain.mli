@@ -72,11 +72,11 @@ and term = {
 }
 (** A term of a colour. *)
 
-val ray : Trace.t -> Ray.t -> t
-(** [ray scene r] explains [Trace.ray scene r]. *)
+val ray : Prepared.t -> Ray.t -> t
+(** [ray scene r] explains [Tracer.color scene r]. *)
 
-val steps : Trace.t -> Ray.t -> Event.t Seq.t
-(** [steps scene r] is the events of [Trace.ray scene r], a persistent
+val steps : Prepared.t -> Ray.t -> Event.t Seq.t
+(** [steps scene r] is the events of [Tracer.color scene r], a persistent
     sequence: an older part of it can be read again at any time. The evaluation
     runs when the first event is asked for. The last event is [Done] with the
     colour. *)
@@ -104,8 +104,8 @@ type pixel = {
 }
 (** The type for explanations of a pixel. *)
 
-val pixel : Trace.t -> x:int -> y:int -> pixel
-(** [pixel scene ~x ~y] explains [Trace.pixel scene ~x ~y]. *)
+val pixel : Prepared.t -> x:int -> y:int -> pixel
+(** [pixel scene ~x ~y] explains [Tracer.pixel scene ~x ~y]. *)
 
 val centre : pixel -> t
 (** [centre pixel] is the first sample. *)

@@ -46,7 +46,7 @@ let deepest objects =
     (fun levels (o : Object.t) -> Int.max levels (Surface.levels o.surface))
     1 objects
 
-let make ~index (scene : Scene.t) =
+let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
   let objects = Array.of_list scene.objects in
   let shapes = Array.map (fun (o : Object.t) -> o.shape) objects
   and levels = deepest objects
@@ -62,3 +62,6 @@ let make ~index (scene : Scene.t) =
     index = index shapes;
     offset = Offset.of_scale (Camera.scale scene.camera);
   }
+
+let numbered_object t number = t.objects.(number - 1)
+let numbered_light t number = t.lights.(number - 1)

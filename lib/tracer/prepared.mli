@@ -20,8 +20,20 @@ type t = private {
 }
 (** The type for prepared scenes. *)
 
-val make : index:(Shape.t array -> Finder.index) -> Scene.t -> t
-(** [make ~index scene] is [scene] made ready, with [index] to find hits. *)
+val make :
+  ?domains:int -> ?index:(Shape.t array -> Finder.index) -> Scene.t -> t
+(** [make scene] is [scene] made ready. [index] is the way of finding hits, by
+    default {!Raylab_geometry.Bvh.index} on at most [domains] domains, by
+    default 1; it makes no difference to any colour. *)
+
+val numbered_object : t -> int -> Object.t
+(** [numbered_object t k] is the object of number [k], counted from 1, at once
+    also in a scene of millions.
+
+    Raises [Invalid_argument] if there is none. *)
+
+val numbered_light : t -> int -> Light.t
+(** [numbered_light t k] is {!numbered_object} for lights. *)
 
 val varies : int
 (** [varies] is -1. *)

@@ -1,9 +1,8 @@
 open Raylab_parallel
-open Raylab_scene
 
 type rows = { first : int; last : int }
 
-let camera scene = (Trace.scene scene).Scene.camera
+let camera scene = scene.Prepared.scene.camera
 let all_rows scene = { first = 0; last = (camera scene).height - 1 }
 
 let size ?rows scene =
@@ -38,7 +37,7 @@ let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
   in
   Parallel.iter ~domains ?stop ?on_progress
     ~count:(Array.fold_left ( + ) 0 counts)
-    ~worker:(fun () -> Trace.evaluator scene)
+    ~worker:(fun () -> Evaluator.create scene)
     work
   |> List.map Evaluator.tally |> Tally.sum
 

@@ -6,14 +6,14 @@
 type rows = { first : int; last : int }
 (** A band of rows, both ends included, counted from 0 at the top. *)
 
-val all_rows : Trace.t -> rows
+val all_rows : Prepared.t -> rows
 (** [all_rows scene] is all rows of the picture of [scene]. *)
 
 val picture :
   ?domains:int ->
   ?rows:rows ->
   ?on_progress:(float -> unit) ->
-  Trace.t ->
+  Prepared.t ->
   Picture.t * Tally.t
 (** [picture scene] is the picture of [scene], or of only those [rows] of it,
     and what was done for it. [domains] defaults to
@@ -25,7 +25,7 @@ val picture :
 
 (** {1 Pictures that are watched} *)
 
-val blank : ?rows:rows -> Trace.t -> Picture.t
+val blank : ?rows:rows -> Prepared.t -> Picture.t
 (** [blank scene] is an {!Picture.unset} picture of the size that {!picture}
     would have.
 
@@ -37,7 +37,7 @@ val refine :
   ?stop:(unit -> bool) ->
   on_tile:(Pass.t -> Tile.t -> unit) ->
   Picture.t ->
-  Trace.t ->
+  Prepared.t ->
   Tally.t
 (** [refine ~on_tile picture scene] fills [picture], a {!blank} one, with the
     pixels of {!val-picture}, coarse first; see {!Pass}. When the pixels of a

@@ -3,7 +3,7 @@ open Raylab_tracer
 
 type news =
   | Failed of string
-  | Began of { scene : Trace.t; picture : Picture.t; first_row : int }
+  | Began of { scene : Prepared.t; picture : Picture.t; first_row : int }
   | Tile of Pass.t * Tile.t
   | Finished of float
 
@@ -15,10 +15,10 @@ type shared = {
 
 type t = { shared : shared; domain : unit Domain.t }
 
-let rec tell shared one =
+let rec post shared one =
   let unread = Atomic.get shared.unread in
   if not (Atomic.compare_and_set shared.unread unread (one :: unread)) then
-    tell shared one
+    post shared one
 
 (* An edit may have made the picture smaller. *)
 let rows_of scene rows =
@@ -31,18 +31,18 @@ let work shared ~domains ?rows ~clock load =
   let started = clock () in
   let stop () = Atomic.get shared.stopped in
   match load () with
-  | Error message -> tell shared (Failed message)
+  | Error message -> post shared (Failed message)
   | Ok _ when stop () -> ()
   | Ok scene ->
-      let scene = Trace.prepare ~domains scene in
+      let scene = Prepared.make ~domains scene in
       let rows = rows_of scene rows in
       let picture = Render.blank ~rows scene in
-      tell shared (Began { scene; picture; first_row = rows.first });
+      post shared (Began { scene; picture; first_row = rows.first });
       let (_ : Tally.t) =
         Render.refine ~domains ~rows ~stop picture scene
-          ~on_tile:(fun pass tile -> tell shared (Tile (pass, tile)))
+          ~on_tile:(fun pass tile -> post shared (Tile (pass, tile)))
       in
-      if not (stop ()) then tell shared (Finished (clock () -. started))
+      if not (stop ()) then post shared (Finished (clock () -. started))
 
 let start ~domains ?rows ~clock ~enter load =
   let shared =

@@ -12,7 +12,7 @@ type t
 (** What happened. *)
 type news =
   | Failed of string  (** there is no scene, and why; it is over *)
-  | Began of { scene : Trace.t; picture : Picture.t; first_row : int }
+  | Began of { scene : Prepared.t; picture : Picture.t; first_row : int }
       (** No pixel is set so far; the top row is [first_row] of all. *)
   | Tile of Pass.t * Tile.t  (** this part of the picture is there *)
   | Finished of float  (** after so many seconds; the picture is whole *)

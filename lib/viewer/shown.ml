@@ -1,8 +1,7 @@
-open Raylab_scene
 open Raylab_tracer
 open Raylab_drawing
 
-type t = { scene : Trace.t; refinement : Refinement.t; first_row : int }
+type t = { scene : Prepared.t; refinement : Refinement.t; first_row : int }
 
 let background = 0x202428
 let size shown = Refinement.size shown.refinement
@@ -30,5 +29,5 @@ let explain { scene; first_row; _ } (x, y) =
   Explain.pixel scene ~x ~y:(y + first_row)
 
 let overlay { scene; first_row; _ } explanation =
-  Overlay.make (Trace.scene scene).Scene.camera ~first_row
+  Overlay.make scene.Prepared.scene.camera ~first_row
     (Path.of_explanation (Explain.centre explanation))

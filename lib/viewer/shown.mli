@@ -4,7 +4,7 @@ open Raylab_tracer
 open Raylab_drawing
 
 type t = {
-  scene : Trace.t;
+  scene : Prepared.t;
   refinement : Refinement.t;
   first_row : int;
       (** its top row, counted from the top of the whole picture *)

@@ -13,7 +13,7 @@ type source = {
 type first =
   | Scene of Scene.t
   | Error of string
-  | Rendered of { scene : Trace.t; picture : Picture.t; seconds : float }
+  | Rendered of { scene : Prepared.t; picture : Picture.t; seconds : float }
 
 (* of a window that has no picture yet *)
 let default_size = (640, 480)

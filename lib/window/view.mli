@@ -18,7 +18,7 @@ type source = {
 type first =
   | Scene of Scene.t  (** it is rendered *)
   | Error of string  (** what is wrong with it is shown *)
-  | Rendered of { scene : Trace.t; picture : Picture.t; seconds : float }
+  | Rendered of { scene : Prepared.t; picture : Picture.t; seconds : float }
 
 val run :
   ?domains:int ->

@@ -11,8 +11,8 @@ val start : string -> t
 (** [start path] watches the file at [path] from now on. *)
 
 val has_changed : t -> bool
-(** [has_changed watch] is whether a file was changed since the last question,
-    or since the start; see {!Raylab_viewer.Changes}. *)
+(** [has_changed watch] is whether a file was changed, since the last question
+    or the start, and has settled since; see {!Raylab_viewer.Changes}. *)
 
 val follow : t -> string list -> unit
 (** [follow watch paths] also watches the files at [paths], from now on,

@@ -34,7 +34,7 @@ let measured ~domains path () =
   match loaded with
   | Error _ -> failwith (path ^ " is not a scene")
   | Ok scene ->
-      let prepared, build = Child.timed (fun () -> Trace.prepare scene) in
+      let prepared, build = Child.timed (fun () -> Prepared.make scene) in
       let before = allocated () in
       let (picture, tally), render =
         Child.timed (fun () -> Render.picture ~domains prepared)

@@ -124,7 +124,7 @@ let svg scene prepared (x, y) =
 
 let drawn name pixel =
   let scene = load name in
-  svg scene (Trace.prepare scene) pixel
+  svg scene (Prepared.make scene) pixel
 
 let across = 9
 let down = 7
@@ -147,7 +147,7 @@ let test_gallery () =
   List.iter
     (fun name ->
       let scene = load name in
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       List.iter
         (fun ((x, y) as pixel) ->
           let svg = svg scene prepared pixel in
@@ -201,7 +201,7 @@ let any_scene =
   Any.holds "no overlap" ~count:60 ~max_side:4 (fun scene ->
       List.for_all
         (fun (pixel, e) ->
-          faults (Path_picture.to_svg ~pixel (Trace.scene scene) e) = [])
+          faults (Path_picture.to_svg ~pixel scene.Prepared.scene e) = [])
         (Any.explanations scene))
 
 let suite =

@@ -31,7 +31,7 @@ let overlay ~first_row =
             (Surface.luminous Color.red);
         ]
   in
-  let pixel = Explain.pixel (Trace.prepare scene) ~x:50 ~y:40 in
+  let pixel = Explain.pixel (Prepared.make scene) ~x:50 ~y:40 in
   Overlay.make camera ~first_row (Path.of_explanation (Explain.centre pixel))
 
 let test_make () =

@@ -26,7 +26,7 @@ let scene =
     (camera ())
 
 let path_of scene =
-  let pixel = Explain.pixel (Trace.prepare scene) ~x:0 ~y:0 in
+  let pixel = Explain.pixel (Prepared.make scene) ~x:0 ~y:0 in
   Path.of_explanation (Explain.centre pixel)
 
 let kind : Path.kind -> string = function

@@ -6,7 +6,7 @@ open Test_support
 open Build
 
 let draw scene =
-  let prepared = Trace.prepare scene in
+  let prepared = Prepared.make scene in
   let pixel = (0, 0) in
   let e = Explain.centre (Explain.pixel prepared ~x:0 ~y:0) in
   (e, Path_picture.to_svg ~pixel scene e)
@@ -78,7 +78,7 @@ let sound =
   Any.holds "no number is out of range" ~count:60 ~max_side:4 (fun scene ->
       List.for_all
         (fun (pixel, e) ->
-          is_sound (Path_picture.to_svg ~pixel (Trace.scene scene) e))
+          is_sound (Path_picture.to_svg ~pixel scene.Prepared.scene e))
         (Any.explanations scene))
 
 let test_many () =

@@ -22,7 +22,7 @@ let round_trip =
   Property.holds "parsed, it is the explanation" ~count:200
     ~print:(Property.show Scene.pp)
     (Generate.scene ~max_side:5 Generate.everyday) (fun scene ->
-      parses_back (Trace.prepare scene))
+      parses_back (Prepared.make scene))
 
 (* The strict printer refuses numbers that are not finite. *)
 let strict =
@@ -43,7 +43,7 @@ let any_string =
 
 let test_document () =
   let background = rgb 0.25 0.5 2. in
-  let scene = Trace.prepare (Scene.make ~background (camera ())) in
+  let scene = Prepared.make (Scene.make ~background (camera ())) in
   let pixel = Explain.pixel scene ~x:0 ~y:0 in
   let color = `List [ `Float 0.25; `Float 0.5; `Float 2. ] in
   let ray =
@@ -120,7 +120,7 @@ let test_all_kinds () =
       sphere (v 0.4 0. (-6.)) 1.5 Surface.reflective;
     ]
   in
-  let scene = Trace.prepare (Scene.make ~lights ~objects ~files (camera ())) in
+  let scene = Prepared.make (Scene.make ~lights ~objects ~files (camera ())) in
   let e = Explain.centre (Explain.pixel scene ~x:0 ~y:0) in
   let verdicts =
     match e.outcome with
@@ -143,7 +143,7 @@ let test_all_kinds () =
 (* An object is its words and their parts, by name. *)
 let test_object () =
   let ball = sphere (v 0. 0. 6.) 1. (Surface.luminous Color.red) in
-  let scene = Trace.prepare (Scene.make ~objects:[ ball ] (camera ())) in
+  let scene = Prepared.make (Scene.make ~objects:[ ball ] (camera ())) in
   let json = Json.of_ray (Explain.centre (Explain.pixel scene ~x:0 ~y:0)) in
   Expect.contains "sphere"
     ~part:

@@ -63,12 +63,12 @@ let root =
   Any.holds "the root has the pixel's colour" (fun scene ->
       List.for_all
         (fun ((x, y), (e : Explain.t)) ->
-          is_same e.color (Trace.pixel scene ~x ~y))
+          is_same e.color (Tracer.pixel scene ~x ~y))
         (Any.explanations scene))
 
 let sums =
   Any.holds "the parts add up to the whole" (fun scene ->
-      let { Scene.background; _ } = Trace.scene scene in
+      let { Scene.background; _ } = scene.Prepared.scene in
       List.for_all
         (fun (_, e) -> adds_up background e)
         (Any.explanations scene))

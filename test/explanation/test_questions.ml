@@ -13,7 +13,7 @@ let load name =
       let path = Printf.sprintf "../../scenes/%s.scene" name in
       match Scene_file.load path with
       | Ok scene ->
-          let scene = Trace.prepare scene in
+          let scene = Prepared.make scene in
           Hashtbl.add scenes name scene;
           scene
       | Error _ -> Alcotest.failf "%s is in error" path)

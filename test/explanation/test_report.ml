@@ -58,7 +58,7 @@ let facing_mirrors ray_depth =
   let scene =
     Scene.make ~ray_depth ~objects:[ mirror 4.; mirror (-6.) ] (camera ())
   in
-  Explain.centre (Explain.pixel (Trace.prepare scene) ~x:0 ~y:0)
+  Explain.centre (Explain.pixel (Prepared.make scene) ~x:0 ~y:0)
 
 let test_long () =
   let text = print (facing_mirrors 100) in

@@ -4,7 +4,7 @@ open Test_support
 open Build
 
 let steps scene (x, y) =
-  let camera = (Trace.scene scene).camera in
+  let camera = scene.Prepared.scene.camera in
   Explain.steps scene (Camera.primary_ray camera ~x ~y)
 
 (* Numbers that are not numbers are equal here, too. *)
@@ -52,7 +52,7 @@ let test_order () =
       plane (v 0. 0. (-9.)) (v 0. 0. 1.) (Surface.diffusive Color.white);
     ]
   in
-  let scene = Trace.prepare (Scene.make ~lights ~objects (camera ())) in
+  let scene = Prepared.make (Scene.make ~lights ~objects (camera ())) in
   let word (event : Event.t) =
     match event with
     | Opened { role = Primary; left; _ } -> Printf.sprintf "cast %d" left

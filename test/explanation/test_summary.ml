@@ -9,7 +9,7 @@ let check what expected ?background ?ray_depth ?(lights = []) objects =
   let scene =
     Scene.make ?background ?ray_depth ~lights ~objects ~files (camera ())
   in
-  let e = Explain.centre (Explain.pixel (Trace.prepare scene) ~x:0 ~y:0) in
+  let e = Explain.centre (Explain.pixel (Prepared.make scene) ~x:0 ~y:0) in
   Alcotest.(check string) what expected (Summary.reason e)
 
 let sun ?(color = Color.white) ?(intensity = 1.) x y z =
@@ -148,7 +148,7 @@ let test_touching () =
 
 let test_subject () =
   let scene = Scene.make ~background:(rgb 0.5 0.25 3.) (camera ()) in
-  let e = Explain.centre (Explain.pixel (Trace.prepare scene) ~x:0 ~y:0) in
+  let e = Explain.centre (Explain.pixel (Prepared.make scene) ~x:0 ~y:0) in
   let reason =
     "the purple background, since the ray hits nothing; over-exposed: blue 3, \
      shown as 255"

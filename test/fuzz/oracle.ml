@@ -68,7 +68,7 @@ let small (scene : Scene.t) =
     ~lights:scene.lights ~objects:scene.objects
 
 let complaint_of_pixel prepared ~x ~y =
-  let color = Trace.pixel prepared ~x ~y in
+  let color = Tracer.pixel prepared ~x ~y in
   let explanation = Explain.pixel prepared ~x ~y in
   let complain what = Some (Printf.sprintf "pixel (%d, %d): %s" x y what) in
   if not (Finite.color color) then complain "its colour is not finite"
@@ -80,7 +80,7 @@ let complaint_of_pixel prepared ~x ~y =
 
 let complaint_of_picture scene =
   let scene = small scene in
-  let prepared = Trace.prepare scene in
+  let prepared = Prepared.make scene in
   let { Camera.width; height; _ } = scene.camera in
   let pixel k = complaint_of_pixel prepared ~x:(k mod width) ~y:(k / width) in
   Seq.find_map pixel (Seq.init (width * height) Fun.id)

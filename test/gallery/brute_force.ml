@@ -12,7 +12,7 @@ let size = 64
 
 let picture index scene =
   let camera = Camera.with_size ~width:size ~height:size scene.Scene.camera in
-  fst (Render.picture (Trace.prepare ~index (Scene.with_camera camera scene)))
+  fst (Render.picture (Prepared.make ~index (Scene.with_camera camera scene)))
 
 let is_same path =
   match Scene_file.load path with

@@ -73,7 +73,7 @@ let render place name =
   match Scene_file.load (scene_file place name) with
   | Ok scene ->
       let scene = Scene.with_camera (place.size scene.camera) scene in
-      Some (fst (Render.picture (Trace.prepare scene)))
+      Some (fst (Render.picture (Prepared.make scene)))
   | Error errors ->
       List.iter
         (fun error -> fail "%s" (Format.asprintf "%a" Scene_error.pp error))

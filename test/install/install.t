@@ -82,7 +82,7 @@ A project of somebody else's renders with the libraries. The core needs little.
   > 
   > let () =
   >   let scene = Result.get_ok (Scene_file.load Sys.argv.(1)) in
-  >   let picture, _ = Render.picture (Trace.prepare scene) in
+  >   let picture, _ = Render.picture (Prepared.make scene) in
   >   print_bytes (Picture.to_rgb picture)
   > EOF
   $ dune build --root other --no-print-directory ./other.exe

@@ -12,12 +12,12 @@ let height = 61
 
 let bytes ~domains scene =
   (* the hierarchy is built on as many domains *)
-  let picture, _ = Render.picture ~domains (Trace.prepare ~domains scene) in
+  let picture, _ = Render.picture ~domains (Prepared.make ~domains scene) in
   Digest.bytes (Picture.to_rgb picture)
 
 (* As in the window, every 8th pixel first. *)
 let refined_bytes ~domains scene =
-  let prepared = Trace.prepare ~domains scene in
+  let prepared = Prepared.make ~domains scene in
   let picture = Render.blank prepared in
   ignore
     (Render.refine ~domains ~on_tile:(fun _ _ -> ()) picture prepared

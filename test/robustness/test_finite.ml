@@ -8,14 +8,14 @@ open Build
 open Fuzz_support
 
 let is_finite scene =
-  let prepared = Trace.prepare scene in
+  let prepared = Prepared.make scene in
   let { Camera.width; height; _ } = scene.Scene.camera in
   let pixels =
     Seq.product (Seq.take width (Seq.ints 0)) (Seq.take height (Seq.ints 0))
   in
   Seq.for_all
     (fun (x, y) ->
-      let color = Trace.pixel prepared ~x ~y
+      let color = Tracer.pixel prepared ~x ~y
       and explanation = Explain.pixel prepared ~x ~y in
       Finite.color color
       && Finite.explanation explanation
@@ -88,7 +88,7 @@ let test_blocker () =
   let explain blocker =
     let light = bulb (v 0. 8. (-4.)) in
     Explain.pixel
-      (Trace.prepare
+      (Prepared.make
          (Scene.make (camera ()) ~lights:[ light ] ~objects:[ wall; blocker ]))
       ~x:0 ~y:0
     |> Explain.centre
@@ -110,7 +110,7 @@ let test_many_lights () =
   match
     (Explain.centre
        (Explain.pixel
-          (Trace.prepare (Scene.make (camera ()) ~lights ~objects))
+          (Prepared.make (Scene.make (camera ()) ~lights ~objects))
           ~x:0 ~y:0))
       .outcome
   with

@@ -2,7 +2,7 @@ open Raylab_scene
 open Raylab_tracer
 
 let pixels scene =
-  let { Camera.width; height; _ } = (Trace.scene scene).camera in
+  let { Camera.width; height; _ } = scene.Prepared.scene.camera in
   List.concat (List.init height (fun y -> List.init width (fun x -> (x, y))))
 
 let explained scene =
@@ -19,6 +19,6 @@ let holds ?(count = 200) ?(max_side = 6) what property =
       (what ^ ", " ^ name)
       ~count ~print:(Property.show Scene.pp)
       (Generate.scene ~max_side number)
-      (fun scene -> property (Trace.prepare scene))
+      (fun scene -> property (Prepared.make scene))
   in
   [ test "everyday" Generate.everyday; test "any size" Generate.extreme ]

@@ -75,7 +75,7 @@ So do all others.
    light 2: faces away, cosine -1]
   $ say 'render ()'
   - : Picture.t = picture of 5 x 5 pixels
-  $ say 'snd (Render.picture (Trace.prepare (scene ())))'
+  $ say 'snd (Render.picture (Prepared.make (scene ())))'
   - : Tally.t =
   25 primary, 10 reflected and 1 shadow rays, 35 hits, 0 lights blocked
   $ say 'match Scene_file.load "broken.scene" with Error (e :: _) -> Some e | _ -> None'
@@ -278,7 +278,7 @@ program rendered it or the prompt itself.
   $ raylab render three.scene -q --size 7x3 -o r.bmp
   $ say 'let s = scene ();;
   > use (Scene.with_camera (Camera.with_size ~width:7 ~height:3 s.camera) s);;
-  > Picture.equal (render ()) (fst (Render.picture (Trace.prepare (scene ()))));;
+  > Picture.equal (render ()) (fst (Render.picture (Prepared.make (scene ()))));;
   > save "s.bmp";;
   > Unix.putenv "RAYLAB_PROGRAM" "/missing";;
   > save "t.bmp";;'

@@ -21,7 +21,7 @@ let scene ~width ~height =
         plane (vec 0. (-1.) 0.) (vec 0. 1. 0.) reflective;
       ]
 
-let here scene = fst (Render.picture (Trace.prepare scene))
+let here scene = fst (Render.picture (Prepared.make scene))
 
 (* Each width leaves another number of bytes to fill up in a row of BMP. *)
 let test_same program () =

@@ -109,7 +109,9 @@ let all_told (scene : Scene.t) =
   && is_broken_well Printers.camera scene.camera
   && List.for_all (is_broken_well Printers.light) scene.lights
   && List.for_all (is_broken_well Printers.object_) scene.objects
-  && Seq.for_all (ray_told (Trace.prepare scene)) (Trace.primary_rays scene)
+  && Seq.for_all
+       (ray_told (Prepared.make scene))
+       (Camera.primary_rays scene.camera)
 
 let narrow name number =
   Property.holds name ~count:100 ~print:(Property.show Scene.pp)

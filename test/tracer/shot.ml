@@ -6,7 +6,7 @@ let centre ?background ?ray_depth ?lights objects =
   let scene =
     Scene.make ?background ?ray_depth ?lights ~objects (Build.camera ())
   in
-  Trace.pixel (Trace.prepare scene) ~x:0 ~y:0
+  Tracer.pixel (Prepared.make scene) ~x:0 ~y:0
 
 let sun ?(intensity = 1.) x y z =
   Light.directional ~intensity ~color:Color.white ~direction:(Build.v x y z)
@@ -14,7 +14,7 @@ let sun ?(intensity = 1.) x y z =
 let bulb ?(intensity = 1.) x y z =
   Light.spherical ~intensity ~color:Color.white ~position:(Build.v x y z)
 
-let picture scene = fst (Render.picture ~domains:1 (Trace.prepare scene))
+let picture scene = fst (Render.picture ~domains:1 (Prepared.make scene))
 
 let drawing letter picture =
   List.init (Picture.height picture) (fun y ->

@@ -34,7 +34,7 @@ let expected (scene : Scene.t) ray =
 (* [check what ~least scene] looks at every pixel: one that hits the object
    where it faces the light is lit. At least [least] of them do. *)
 let check what ~least scene =
-  let prepared = Trace.prepare scene and count = ref 0 in
+  let prepared = Prepared.make scene and count = ref 0 in
   let look ray =
     let { Color.r; _ } = expected scene ray in
     (* at the edge of night rounding may decide *)
@@ -42,9 +42,10 @@ let check what ~least scene =
       incr count;
       Alcotest.check
         (Same.color_near (1e-6 *. (r +. 1.)))
-        what (grey r) (Trace.ray prepared ray))
+        what (grey r)
+        (Tracer.color prepared ray))
   in
-  Seq.iter look (Trace.primary_rays scene);
+  Seq.iter look (Camera.primary_rays scene.camera);
   if !count < least then Alcotest.failf "%s: only %d pixels" what !count
 
 let scales = [ 1e-3; 1e-2; 0.1; 1.; 10.; 100.; 1e3 ]

@@ -9,8 +9,8 @@ let is_color (c : Color.t) = is_light c.r && is_light c.g && is_light c.b
 let print = Property.show Scene.pp
 
 let pixels scene =
-  let prepared = Trace.prepare scene in
-  Seq.map (Trace.ray prepared) (Trace.primary_rays scene)
+  let prepared = Prepared.make scene in
+  Seq.map (Tracer.color prepared) (Camera.primary_rays scene.camera)
 
 let finite name number =
   Property.holds name ~count:1000 ~print (Generate.scene ~max_side:6 number)
@@ -22,17 +22,17 @@ let any_ray =
       pair
         (Generate.scene ~max_side:1 Generate.extreme)
         (Generate.ray Generate.extreme))
-    (fun (scene, ray) -> is_color (Trace.ray (Trace.prepare scene) ray))
+    (fun (scene, ray) -> is_color (Tracer.color (Prepared.make scene) ray))
 
 let ray_is_pixel =
   Property.holds "a pixel is its primary ray" ~count:200 ~print
     (Generate.scene Generate.everyday) (fun scene ->
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       let { Camera.width; height; _ } = scene.camera in
       let x = width / 2 and y = height / 3 in
       Color.equal
-        (Trace.pixel prepared ~x ~y)
-        (Trace.ray prepared (Camera.primary_ray scene.camera ~x ~y)))
+        (Tracer.pixel prepared ~x ~y)
+        (Tracer.color prepared (Camera.primary_ray scene.camera ~x ~y)))
 
 (* A grey scene is grey in every pixel, to the last bit: see Grey. *)
 let grey_stays_grey =
@@ -82,7 +82,7 @@ let lobes =
             Color.add emission (Color.multiply mirror scene.background)
       in
       Alcotest.equal (Same.color_near 1e-9) expected
-        (Trace.ray (Trace.prepare scene) ray))
+        (Tracer.color (Prepared.make scene) ray))
 
 let suite =
   ( "Any scene",

@@ -17,13 +17,13 @@ let wall surface = plane (v 0. 0. 4.) (v 0. 0. 1.) surface
    whatever the pixel. *)
 let test_inside () =
   let scene light =
-    Trace.prepare
+    Prepared.make
       (Scene.make
          (camera ~width:5 ~height:5 ())
          ~background ~lights:[ light ]
          ~objects:[ sphere (v 0. 0. (-1.)) 5. white ])
   in
-  let at scene x y = Trace.pixel scene ~x ~y in
+  let at scene x y = Tracer.pixel scene ~x ~y in
   let lit = scene (Shot.bulb ~intensity:25. 0. 0. (-1.)) in
   List.iter
     (fun (x, y) -> check "lit from inside" Color.white (at lit x y))

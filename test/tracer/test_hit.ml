@@ -10,7 +10,7 @@ let hit ?(k = 1.) objects ray =
   let camera =
     camera ~canvas_width:(2. *. k) ~canvas_height:(2. *. k) ~depth:k ()
   in
-  Trace.nearest_hit (Trace.prepare (Scene.make ~objects camera)) ray
+  Tracer.nearest_hit (Prepared.make (Scene.make ~objects camera)) ray
 
 let ball = sphere (v 0. 0. 5.) 1. Surface.reflective
 let wall z = plane (v 0. 0. z) (v 0. 0. 1.) Surface.reflective
@@ -120,12 +120,12 @@ let test_light () =
     Scene.make (camera ()) ~objects:[ floor; hanging ]
       ~lights:[ Shot.sun 0. (-1.) 0.; Shot.sun ~intensity:2. 3. (-4.) 0. ]
   in
-  let prepared = Trace.prepare scene in
+  let prepared = Prepared.make scene in
   let check what expected x =
     let down = ray (v x 0. 5.) (v 0. (-1.) 0.) in
-    let found = Option.get (Trace.nearest_hit prepared down) in
+    let found = Option.get (Tracer.nearest_hit prepared down) in
     Alcotest.check (Same.color_near 1e-12) what (grey expected)
-      (Trace.light prepared found)
+      (Tracer.light prepared found)
   in
   check "1 + 2 * 0.8" 2.6 9.;
   check "one of them" 1.6 0.

@@ -78,7 +78,7 @@ let test_grey () =
         ]
       ~objects:[ wall (Surface.diffusive Color.red) ]
   in
-  let trace scene = Trace.pixel (Trace.prepare scene) ~x:0 ~y:0 in
+  let trace scene = Tracer.pixel (Prepared.make scene) ~x:0 ~y:0 in
   check "in colour" Color.red (trace scene);
   check "in grey" (grey 0.04519876) (trace (Scene.greyscale scene))
 

@@ -24,7 +24,7 @@ let shot k h =
           sphere (v 0. h ((4. *. k) -. h)) (h /. 2.) white;
         ]
   in
-  Trace.pixel (Trace.prepare scene) ~x:0 ~y:0
+  Tracer.pixel (Prepared.make scene) ~x:0 ~y:0
 
 (* The sphere reaches from h / 2 to 3 h / 2 before the wall. With h = 5e-6 k
    that is less than 1e-5 k, so the shadow ray starts beyond it. *)

@@ -12,19 +12,19 @@ let scenes = Generate.scene ~max_side:40 Generate.everyday
 let any_domains =
   Property.holds "the same from 1, 2 and 4 domains" ~count:60 ~print scenes
     (fun scene ->
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       let one = fst_of ~domains:1 prepared in
       Picture.equal one (fst_of ~domains:2 prepared)
       && Picture.equal one (fst_of ~domains:4 prepared))
 
 let every_pixel =
   Property.holds "every pixel is traced" ~count:60 ~print scenes (fun scene ->
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       let picture = fst_of ~domains:2 prepared in
       List.for_all
         (fun (x, y) ->
           Picture.get picture ~x ~y
-          = Color.to_bytes (Trace.pixel prepared ~x ~y))
+          = Color.to_bytes (Tracer.pixel prepared ~x ~y))
         (Shot.pixels picture))
 
 let bands =
@@ -34,7 +34,7 @@ let bands =
       let height = scene.camera.height in
       let first = min (a mod height) (b mod height)
       and last = max (a mod height) (b mod height) in
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       let whole = fst_of ~domains:1 prepared
       and band = fst_of ~domains:2 ~rows:{ first; last } prepared in
       Picture.width band = scene.camera.width
@@ -44,7 +44,7 @@ let bands =
              Picture.get band ~x ~y = Picture.get whole ~x ~y:(first + y))
            (Shot.pixels band))
 
-let scene width height = Trace.prepare (Scene.make (camera ~width ~height ()))
+let scene width height = Prepared.make (Scene.make (camera ~width ~height ()))
 
 let test_sizes () =
   List.iter

@@ -152,10 +152,10 @@ let same =
   Property.holds "the tracer is the equations" ~count:1000
     ~print:(Property.show Scene.pp)
     (Generate.scene ~max_side:6 Generate.everyday) (fun scene ->
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       let { Camera.width; height; _ } = scene.camera in
       Seq.for_all
-        (fun (x, y) -> near (Trace.pixel prepared ~x ~y) (pixel scene ~x ~y))
+        (fun (x, y) -> near (Tracer.pixel prepared ~x ~y) (pixel scene ~x ~y))
         (Seq.product
            (Seq.take width (Seq.ints 0))
            (Seq.take height (Seq.ints 0))))

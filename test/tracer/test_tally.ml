@@ -9,7 +9,7 @@ let show (t : Tally.t) =
 
 let check what expected ?ray_depth ?lights objects =
   let scene = Scene.make ?ray_depth ?lights ~objects (camera ()) in
-  let tally = snd (Render.picture ~domains:1 (Trace.prepare scene)) in
+  let tally = snd (Render.picture ~domains:1 (Prepared.make scene)) in
   Alcotest.(check string) what expected (show tally)
 
 let wall surface = plane (v 0. 0. 4.) (v 0. 0. 1.) surface
@@ -72,7 +72,7 @@ let any_scene =
   Property.holds "consistent, from any number of domains" ~count:100
     ~print:(Property.show Scene.pp)
     (Generate.scene ~max_side:40 Generate.everyday) (fun scene ->
-      let prepared = Trace.prepare scene in
+      let prepared = Prepared.make scene in
       let tally domains = snd (Render.picture ~domains prepared) in
       let one = tally 1 in
       let { Camera.width; height; _ } = scene.camera in

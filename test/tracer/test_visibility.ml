@@ -1,7 +1,6 @@
 (* Which pixel shows what. *)
 
 open Raylab_scene
-open Raylab_tracer
 open Test_support
 open Build
 
@@ -59,7 +58,7 @@ let test_primary_rays () =
     Scene.make
       (camera ~width:3 ~height:2 ~canvas_width:3. ~canvas_height:2. ())
   in
-  let rays = List.of_seq (Trace.primary_rays scene) in
+  let rays = List.of_seq (Camera.primary_rays scene.camera) in
   Alcotest.(check (list (Same.ray_near 1e-15)))
     "row by row from the top"
     (List.map

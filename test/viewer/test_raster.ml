@@ -85,7 +85,7 @@ let test_words () =
   in
   let picture = Picture.create ~width:1600 ~height:1200 in
   let look refinement =
-    let scene = Trace.prepare scene in
+    let scene = Prepared.make scene in
     Shown.look [ { Shown.scene; refinement; first_row = 0 } ]
   in
   let check name refinement =

@@ -3,7 +3,7 @@ open Raylab_tracer
 open Raylab_viewer
 
 let scene ~width ~height =
-  Trace.prepare
+  Prepared.make
     (Scene.make
        (Camera.make ~width ~height ~canvas_width:4. ~canvas_height:3. ~depth:4.))
 
