@@ -1,10 +1,8 @@
-(** Parameters of words, evaluated and checked.
+(** Evaluation that goes on after errors.
 
-    What is wrong with one is told, and the evaluation of the next ones goes
-    on: one run finds every error. *)
+    What is wrong with a parameter is told, and the evaluation of the next ones
+    goes on: one run finds every error. *)
 
-open Raylab_geometry
-open Raylab_scene
 open Raylab_expression
 
 type t
@@ -16,7 +14,10 @@ val start : Findings.t -> t
 val findings : t -> Findings.t
 (** [findings check] is where errors are told. *)
 
-type frame = Thing.t Code.frame
+type frame = Thing.t Frame.t
+
+val failed : t -> bool
+(** [failed check] is whether anything in the innermost {!whole} is wrong. *)
 
 val attempt : t -> frame -> 'a -> (unit -> 'a) -> 'a
 (** [attempt check frame default f] is [f ()], or [default] after telling what
@@ -26,22 +27,5 @@ val whole : t -> (unit -> 'a) -> 'a
 (** [whole check build] is [build ()]. If anything in it was told to be wrong,
     it raises {!Raylab_expression.Fault.Known}. *)
 
-type 'a parameter = frame -> 'a
-(** The type for parameters, made ready to be evaluated. *)
-
-val value : t -> Scope.t -> Expression.t -> Thing.t Value.t parameter
-(** [value check scope e] is [e]; {!Raylab_expression.Value.Undefined} if it is
-    wrong. *)
-
-val number :
-  t -> Scope.t -> Number.rule -> string -> Expression.t -> float parameter
-(** [number check scope rule name e] is [e], called [name]. *)
-
-val vector : t -> Scope.t -> string -> Expression.t -> Vec3.t parameter
-(** [vector check scope name e] is a point or vector. *)
-
-val direction : t -> Scope.t -> string -> Expression.t -> Vec3.t parameter
-(** [direction check scope name e] is a vector that is not zero. *)
-
-val color : t -> Scope.t -> string -> Expression.t -> Color.t parameter
-(** [color check scope name e] is a colour, its channels not negative. *)
+type 'a ready = frame -> 'a
+(** The type for what is made ready to be evaluated. *)

@@ -1,7 +1,6 @@
 (** Settings of the header, evaluated and checked. *)
 
 open Raylab_source
-open Raylab_scene
 open Raylab_expression
 
 type t
@@ -17,7 +16,5 @@ val set : t -> Scope.t -> Syntax.setting -> Check.frame -> unit
 val finish : t -> Span.t -> unit
 (** [finish header stop] tells at [stop] which settings are missing. *)
 
-val scene :
-  t -> files:Files.t -> lights:Light.t list -> objects:Object.t list -> Scene.t
-(** [scene header ~files ~lights ~objects] is the scene of this header. Nothing
-    may have been wrong with it. *)
+val settings : t -> Settings.t
+(** [settings header] is what they say, as far as nothing was wrong. *)

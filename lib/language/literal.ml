@@ -11,51 +11,44 @@ let vector { Raylab_expression.Expression.desc; _ } =
   | Triple (x, y, z) -> Vec3.make (number x) (number y) (number z)
   | _ -> raise_notrace Computed
 
-let color e =
-  let { Vec3.x; y; z } = vector e in
-  Color.make x y z
+let parameter : type a. a Written.parameter -> a =
+ fun { kind; written; _ } ->
+  match kind with
+  | Number _ -> number written
+  | Vector -> vector written
+  | Direction -> vector written
+  | Color ->
+      let { Vec3.x; y; z } = vector written in
+      Color.make x y z
+  | Whole _ -> raise_notrace Computed
 
-let shape = function
-  | Syntax.Sphere { centre; radius } ->
-      let centre = vector centre in
-      Shape.sphere ~centre ~radius:(number radius)
-  | Plane { point; normal } ->
-      let point = vector point in
-      Shape.plane ~point ~normal:(vector normal)
+let rec apply : type make made. (make, made) Written.parameters -> make -> made
+    =
+ fun parameters make ->
+  match parameters with
+  | [] -> make
+  | first :: rest -> apply rest (make (parameter first))
+
+let build (Written.Written { parameters; make }) = apply parameters make
 
 let rec surface nesting { Syntax.finish; _ } =
   match finish with
-  | Diffusive c -> Surface.diffusive (color c)
-  | Reflective -> Surface.reflective
-  | Luminous c -> Surface.luminous (color c)
+  | Plain written -> build written
   | Mixed _ when nesting = Surface.max_nesting -> raise_notrace Computed
   | Mixed parts ->
       let part (weight, s) = (number weight, surface (nesting + 1) s) in
       Surface.mixed (List.map part parts)
   | Chosen _ -> raise_notrace Computed
 
-let object_ (placed : Syntax.placed) =
-  match placed with
-  | { thing = Shape (written, s); modifiers = []; span } -> (
-      match
-        Object.make ~origin:(Literal span.start) (shape written) (surface 0 s)
-      with
-      | built -> Syntax.Ready_object built
-      | exception (Computed | Invalid_argument _) -> Placed placed)
-  | _ -> Placed placed
-
-let light (placed : Syntax.placed) =
-  match placed with
-  | { thing = Light { source; intensity; color = c }; modifiers = []; span }
-    -> (
-      let build () =
-        let intensity = number intensity and color = color c in
-        match source with
-        | Directional d ->
-            Light.directional ~intensity ~color ~direction:(vector d)
-        | Spherical p -> Light.spherical ~intensity ~color ~position:(vector p)
-      in
-      match Light.with_origin (Literal span.start) (build ()) with
-      | built -> Syntax.Ready_light built
-      | exception (Computed | Invalid_argument _) -> Placed placed)
-  | _ -> Placed placed
+let item (placed : Syntax.placed) =
+  let build { Syntax.thing; modifiers; span } =
+    let origin = Origin.Literal span.start in
+    match (thing, modifiers) with
+    | Shape (shape, finish), [] ->
+        let shape = build shape in
+        Syntax.Ready_object (Object.make ~origin shape (surface 0 finish))
+    | Light light, [] -> Ready_light (Light.with_origin origin (build light))
+    | _ -> raise_notrace Computed
+  in
+  try build placed
+  with Computed | Written.Refused _ | Invalid_argument _ -> Placed placed

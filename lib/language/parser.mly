@@ -28,8 +28,11 @@ let vector_of e = match e.desc with List [ v ] -> v | _ -> e
 let placed thing modifiers loc =
   { Syntax.thing; modifiers = List.rev modifiers; span = span loc }
 
-let setting word loc value =
-  Syntax.Setting { word; word_span = span loc; value }
+let setting word loc change =
+  Syntax.Setting { word; word_span = span loc; change }
+
+let plain finish loc = { Syntax.finish = Plain finish; span = span loc }
+let modifier change loc = { Syntax.change; span = span loc }
 %}
 
 %token <float> NUMBER "1"
@@ -87,13 +90,13 @@ header:
   | header = header d = definition { Syntax.Header_definition d :: header }
 
 setting:
-  | "imWidth" n = atom { setting "imWidth" $loc($1) n }
-  | "imHeight" n = atom { setting "imHeight" $loc($1) n }
-  | "canvWidth" n = atom { setting "canvWidth" $loc($1) n }
-  | "canvHeight" n = atom { setting "canvHeight" $loc($1) n }
-  | "depth" n = atom { setting "depth" $loc($1) n }
-  | "raydepth" n = atom { setting "raydepth" $loc($1) n }
-  | "bcolor" c = color { setting "bcolor" $loc($1) c }
+  | "imWidth" n = atom { setting "imWidth" $loc($1) (Settings.im_width n) }
+  | "imHeight" n = atom { setting "imHeight" $loc($1) (Settings.im_height n) }
+  | "canvWidth" n = atom { setting "canvWidth" $loc($1) (Settings.canv_width n) }
+  | "canvHeight" n = atom { setting "canvHeight" $loc($1) (Settings.canv_height n) }
+  | "depth" n = atom { setting "depth" $loc($1) (Settings.depth n) }
+  | "raydepth" n = atom { setting "raydepth" $loc($1) (Settings.raydepth n) }
+  | "bcolor" c = color { setting "bcolor" $loc($1) (Settings.bcolor c) }
 
 (* {1 Items}, the last one first *)
 
@@ -125,9 +128,9 @@ thing:
 
 simple_thing:
   | light = light modifiers = modifiers
-      { Literal.light (placed (Light light) modifiers $loc(light)) }
+      { Literal.item (placed (Light light) modifiers $loc(light)) }
   | shape = shape surface = surface modifiers = modifiers
-      { Literal.object_
+      { Literal.item
           (placed (Shape (shape, surface)) modifiers $loc(shape)) }
   | group = group modifiers = modifiers
       { Syntax.Placed (placed (Group group) modifiers $loc(group)) }
@@ -176,9 +179,9 @@ definition:
           parameters = Some parameters; value } }
 
 parameter:
-  | name = NAME { { Code.name; span = span $loc; default = None } }
+  | name = NAME { { Function.name; span = span $loc; default = None } }
   | name = NAME ":" e = expr
-      { { Code.name; span = span $loc(name); default = Some e } }
+      { { Function.name; span = span $loc(name); default = Some e } }
 
 value:
   | x = plain { Syntax.Expression x }
@@ -201,13 +204,13 @@ value:
 
 light:
   | "directional" intensity = atom color = color direction = vector
-      { { Syntax.source = Directional direction; intensity; color } }
+      { Lamps.directional intensity color direction }
   | "spherical" intensity = atom color = color position = vector
-      { { Syntax.source = Spherical position; intensity; color } }
+      { Lamps.spherical intensity color position }
 
 shape:
-  | "sphere" centre = vector radius = atom { Syntax.Sphere { centre; radius } }
-  | "plane" point = vector normal = vector { Syntax.Plane { point; normal } }
+  | "sphere" centre = vector radius = atom { Shapes.sphere centre radius }
+  | "plane" point = vector normal = vector { Shapes.plane point normal }
 
 group:
   | "group" items = items "end" { List.rev items }
@@ -221,14 +224,12 @@ some_modifiers:
   | modifiers = some_modifiers modifier = modifier { modifier :: modifiers }
 
 modifier:
-  | "scaled" factor = atom
-      { { Syntax.change = Scaled factor; span = span $loc($1) } }
+  | "scaled" factor = atom { modifier (Modifiers.scaled factor) $loc($1) }
   | "stretched" factors = vector
-      { { Syntax.change = Stretched factors; span = span $loc($1) } }
+      { modifier (Modifiers.stretched factors) $loc($1) }
   | "rotated" axis = vector angle = atom
-      { { Syntax.change = Rotated (axis, angle); span = span $loc($1) } }
-  | "translated" way = vector
-      { { Syntax.change = Translated way; span = span $loc($1) } }
+      { modifier (Modifiers.rotated axis angle) $loc($1) }
+  | "translated" way = vector { modifier (Modifiers.translated way) $loc($1) }
 
 (* {1 Surfaces} *)
 
@@ -238,11 +239,9 @@ surface:
   | "(" e = expr ")" { { Syntax.finish = Chosen e; span = span $loc } }
 
 own_surface:
-  | "diffusive" c = color
-      { { Syntax.finish = Diffusive c; span = span $loc($1) } }
-  | "reflective" { { Syntax.finish = Reflective; span = span $loc($1) } }
-  | "luminous" c = color
-      { { Syntax.finish = Luminous c; span = span $loc($1) } }
+  | "diffusive" c = color { plain (Finishes.diffusive c) $loc($1) }
+  | "reflective" { plain Finishes.reflective $loc($1) }
+  | "luminous" c = color { plain (Finishes.luminous c) $loc($1) }
   | "mixed" parts = parts
       { { Syntax.finish = Mixed parts; span = span $loc($1) } }
 

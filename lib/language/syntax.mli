@@ -5,38 +5,21 @@
     expression and knows its place. *)
 
 open Raylab_source
+open Raylab_geometry
 open Raylab_expression
 open Raylab_scene
-
-type vector = Expression.t
-(** Three numbers, or an expression for all of them. *)
-
-type color = Expression.t
-(** Likewise. The word for a colour is three numbers at its place. *)
-
-type shape =
-  | Sphere of { centre : vector; radius : Expression.t }
-  | Plane of { point : vector; normal : vector }
 
 type surface = { finish : finish; span : Span.t  (** of its first word *) }
 
 and finish =
-  | Diffusive of color
-  | Reflective
-  | Luminous of color
+  | Plain of Surface.t Written.t
   | Mixed of (Expression.t * surface) list
   | Chosen of Expression.t  (** a name, or what stands in brackets *)
 
-type source = Directional of vector | Spherical of vector
-type light = { source : source; intensity : Expression.t; color : color }
-
-type modifier = { change : change; span : Span.t }
-
-and change =
-  | Scaled of Expression.t
-  | Stretched of vector
-  | Rotated of vector * Expression.t
-  | Translated of vector
+type modifier = {
+  change : Similarity.t Written.t;
+  span : Span.t;  (** of its first word *)
+}
 
 type item =
   | Ready_object of Object.t
@@ -58,21 +41,21 @@ and placed = {
 }
 
 and thing =
-  | Light of light
-  | Shape of shape * surface
+  | Light of Light.t Written.t
+  | Shape of Shape.t Written.t * surface
   | Group of item list
   | Reference of Expression.t
 
 and definition = {
   name : string;
   name_span : Span.t;
-  parameters : Code.parameter list option;  (** [None]: no function *)
+  parameters : Function.parameter list option;  (** [None]: no function *)
   value : value;
 }
 
 and value = Expression of Expression.t | Surface of surface | Thing of placed
 
-type setting = { word : string; word_span : Span.t; value : Expression.t }
+type setting = { word : string; word_span : Span.t; change : Settings.change }
 (** A setting of the header. *)
 
 type header_item = Setting of setting | Header_definition of definition

@@ -1,0 +1,58 @@
+open Raylab_source
+
+let nowhere = { Span.start = 0; stop = 0 }
+
+let builtin (f : Builtin.t) =
+  let parameters =
+    Array.of_list
+      (List.map (fun label -> { Value.label; optional = false }) f.parameters)
+  in
+  let call run arguments = Operation.builtin run nowhere f arguments in
+  { Value.name = f.name; parameters; call }
+
+(* The arguments that are given, with the names of their parameters. *)
+let pair parameters arguments =
+  let given = ref [] in
+  for k = Array.length arguments - 1 downto 0 do
+    match arguments.(k) with
+    | Value.Undefined -> ()
+    | value -> given := (parameters.(k).Value.label, value) :: !given
+  done;
+  !given
+
+let enter (run : _ Value.run) span (f : _ Value.func) arguments =
+  Budget.step run.budget span;
+  Budget.enter run.budget span;
+  let around = run.stack in
+  run.stack <-
+    Call { name = f.name; arguments = pair f.parameters arguments; at = span }
+    :: around;
+  let value = f.call run arguments in
+  run.stack <- around;
+  Budget.leave run.budget;
+  value
+
+let of_value (frame : _ Frame.t) (e : Expression.t) name arguments = function
+  | Value.Function f ->
+      let given = Arguments.arrange e.span ~name f.parameters arguments in
+      let evaluate = function
+        | Some code -> code frame
+        | None -> Value.Undefined
+      in
+      enter frame.run e.span f (Array.map evaluate given)
+  | value ->
+      Fault.fail e.span
+        (Printf.sprintf "%s is %s, not a function" name
+           (Value.kind frame.run.describe value))
+
+let of_builtin (e : Expression.t) (f : Builtin.t) arguments =
+  let { Value.parameters; _ } = builtin f in
+  let given =
+    lazy
+      (Arguments.arrange e.span ~name:f.name parameters arguments
+      |> Array.map Option.get)
+  in
+  fun (frame : _ Frame.t) ->
+    Budget.step frame.run.budget e.span;
+    let values = Array.map (fun code -> code frame) (Lazy.force given) in
+    Operation.builtin frame.run e.span f values

@@ -1,0 +1,30 @@
+open Raylab_expression
+
+let value block check scope (value : Syntax.value) : Thing.t Code.t =
+  match value with
+  | Expression e -> Code.compile scope e
+  | Surface s ->
+      let surface = Evaluate_surface.compile check scope s in
+      fun frame ->
+        Thing (Surface (Check.whole check (fun () -> surface frame)))
+  | Thing placed ->
+      let thing = Evaluate_thing.compile block check scope placed in
+      fun frame -> Thing (Check.whole check (fun () -> thing frame))
+
+let compile block check scope definition =
+  let { Syntax.name; name_span; parameters; value = written } = definition in
+  let is_function = Option.is_some parameters in
+  let inner, binding =
+    Scope.bind scope name name_span ~is_defined:is_function
+  in
+  let value scope = value block check scope written in
+  let code =
+    match parameters with
+    | None -> value inner
+    | Some parameters -> Function.compile inner ~name parameters value
+  in
+  binding.is_defined <- true;
+  ( inner,
+    fun frame ->
+      Frame.set binding frame
+        (Check.attempt check frame Value.Undefined (fun () -> code frame)) )

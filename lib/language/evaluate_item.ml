@@ -1,0 +1,56 @@
+open Raylab_expression
+
+let protect check (frame : Check.frame) f =
+  Check.attempt check frame () (fun () -> Check.whole check f)
+
+let add (frame : Check.frame) sink span node =
+  Budget.make frame.run.budget span (Thing.count node);
+  Sink.add sink span node
+
+let rec compile check scope ~at (item : Syntax.item) =
+  match item with
+  (* what a block repeats is not written each time *)
+  | Ready_object o -> (scope, fun frame sink -> add frame sink at (Leaf o))
+  | Ready_light l -> (scope, fun frame sink -> add frame sink at (Lamp l))
+  | Placed placed -> (scope, place check scope placed)
+  | Definition d ->
+      let scope, define = Evaluate_definition.compile block check scope d in
+      (scope, fun frame _ -> define frame)
+  | For { name; name_span; range; body } ->
+      let inner, each = Code.loop scope ~at:name_span name name_span range in
+      let body = block check inner ~at:name_span body in
+      ( scope,
+        fun frame sink ->
+          protect check frame (fun () ->
+              each frame (fun () -> body frame sink)) )
+  | If { condition; yes; no } ->
+      let test = Code.truth scope condition and at = condition.span in
+      let yes = block check scope ~at yes and no = block check scope ~at no in
+      ( scope,
+        fun frame sink ->
+          protect check frame (fun () ->
+              if test frame then yes frame sink else no frame sink) )
+
+and place check scope placed =
+  let thing = Evaluate_thing.compile block check scope placed in
+  fun frame sink ->
+    protect check frame (fun () ->
+        match thing frame with
+        | Thing.Light node | Object node -> add frame sink placed.span node
+        | Surface _ -> ())
+
+and block check scope ~at items =
+  let names = Twice.start check in
+  let compile (scope, codes) item =
+    Twice.item names item;
+    let scope, code = compile check scope ~at item in
+    (scope, code :: codes)
+  in
+  let _, codes = List.fold_left compile (scope, []) items in
+  let codes = Array.of_list (List.rev codes) in
+  fun frame sink ->
+    Array.iter
+      (fun code ->
+        Budget.step frame.Frame.run.budget at;
+        code frame sink)
+      codes

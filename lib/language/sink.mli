@@ -1,0 +1,28 @@
+(** Where lights and objects go: into the scene, or into a group. *)
+
+open Raylab_source
+open Raylab_scene
+
+type t
+(** The type for sinks. *)
+
+val scene : unit -> t
+(** [scene ()] is that of a scene, which as yet has nothing. *)
+
+val group : unit -> t
+(** [group ()] is that of a group. *)
+
+val add : t -> Span.t -> Thing.node -> unit
+(** [add sink span node] puts [node] after what is in [sink]. In a scene it
+    becomes lights and objects where the modifiers around them put them. If
+    they leave the range of numbers there, it raises
+    {!Raylab_expression.Fault.Found} at [span]. *)
+
+val lights : t -> Light.t list
+(** [lights sink] is the lights in a scene, in their order. *)
+
+val objects : t -> Object.t list
+(** [objects sink] is its objects, likewise. *)
+
+val node : t -> Thing.node
+(** [node sink] is all that is in a group. *)
