@@ -65,9 +65,8 @@ let cut_place ((x, y), (x', y')) =
   let along = if x > x' then 0.2 else 0.8 in
   (x +. (along *. (x' -. x)), y +. (along *. (y' -. y)) -. 7.)
 
-(* A piece of a plane. One that reaches far beyond the panel is left out. *)
-let patch panel s corners =
-  let places = List.map (Panel.point panel) corners in
+(* A polygon. One that reaches far beyond the panel is left out. *)
+let patch s places =
   let is_near (x, y) = abs_float x < straight && abs_float y < straight in
   if List.for_all is_near places then
     let count = float_of_int (List.length places) in
@@ -83,4 +82,7 @@ let draw panel s ~level : Outline.t -> _ = function
   | Endless plane ->
       let cut ends = (cut s ends, cut_place ends) in
       Option.map cut (trace panel plane level)
-  | Patch corners -> patch panel s corners
+  | Patch corners -> patch s (List.map (Panel.point panel) corners)
+  | Hull points ->
+      let places = List.map (Panel.point panel) points in
+      patch s (Convex_hull.of_points places)

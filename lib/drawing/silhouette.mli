@@ -15,6 +15,7 @@ val draw :
   Outline.t ->
   (Drawing.mark * Drawing.point) option
 (** [draw panel s ~level outline] is the drawing of [outline] and the place
-    where its label belongs. A ball is a circle, a piece of a plane a polygon;
-    a plane without end is the line in which it cuts the plane of the panel at
-    [level]. [None] if nothing of it can be drawn in the panel. *)
+    where its label belongs. A ball is a circle, a piece of a plane or another
+    body a polygon; a plane without end is the line in which it cuts the plane
+    of the panel at [level]. [None] if nothing of it can be drawn in the panel.
+*)

@@ -25,6 +25,16 @@ let parameter (name, parameter) =
   | Number x -> (name, number x)
   | Triple (x, y, z) -> (name, numbers [ x; y; z ])
 
+let modifier modifier : Yojson.Safe.t =
+  `Assoc
+    (("kind", text (Change.name modifier))
+    :: List.map parameter (Change.parameters modifier))
+
+let modifiers shape =
+  match Shape.modifiers shape with
+  | [] -> []
+  | modifiers -> [ ("modifiers", `List (List.map modifier modifiers)) ]
+
 let shape shape : Yojson.Safe.t =
   `Assoc
     (("kind", text (Shape.name shape))
@@ -50,7 +60,8 @@ let place = function
 let object_ n (o : Object.t) at : Yojson.Safe.t =
   `Assoc
     ((("number", int n) :: place at)
-    @ [ ("shape", shape o.shape); ("surface", surface o.surface) ])
+    @ [ ("shape", shape o.shape); ("surface", surface o.surface) ]
+    @ modifiers o.shape)
 
 (* {1 Rays} *)
 

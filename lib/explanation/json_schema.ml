@@ -34,7 +34,10 @@ HIT   = { "object": OBJECT,
 
 OBJECT  = { "number": INT, PLACE,
             "shape": { "kind": WORD, PART: NUMBER or VECTOR, ... },
-            "surface": SURFACE }          as it is written
+            "surface": SURFACE,           as it is written
+            "modifiers": [{ "kind": WORD, PART: NUMBER or VECTOR, ... },
+                          ...] }          if they have made it another kind
+                                          of shape
 
 SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
        or { "kind": "mixed",
@@ -43,7 +46,9 @@ SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
 WORD    = what the scene language calls it
 PART    = what it takes there, in that order, by name:
           a "sphere" has "centre" and "radius", a "plane" has "point"
-          and "normal"; "diffusive" and "luminous" have "color"
+          and "normal"; "diffusive" and "luminous" have "color";
+          "scaled" has "factor", "stretched" has "factors", "rotated" has
+          "axis" and "angle", "translated" has "way"
 
 LIGHT   = { "number": INT, PLACE,
             "kind": "directional" or "spherical",

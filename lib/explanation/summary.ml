@@ -49,7 +49,8 @@ let faces_away (h : Explain.surface_hit) lights =
     | lights -> [ say (Words.lights (List.map fst lights)) ]
   in
   match Shape.outline h.object_.shape with
-  | Ball _ -> clause (fun lights -> "facing away from " ^ lights) lights
+  | Ball _ | Hull _ ->
+      clause (fun lights -> "facing away from " ^ lights) lights
   | Endless _ | Patch _ ->
       let behind, beside =
         List.partition (fun (_, cosine) -> cosine < 0.) lights

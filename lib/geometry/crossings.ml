@@ -29,6 +29,11 @@ let[@inline] add crossings ~part t =
   crossings.parts.(at) <- part;
   crossings.count <- at + 1
 
+let divide { count; distances; _ } length =
+  for k = 0 to count - 1 do
+    distances.(k) <- distances.(k) /. length
+  done
+
 let enters crossings k = k land 1 = 0 <> crossings.starts_inside
 
 type crossing = { t : float; part : int; enters : bool }

@@ -25,6 +25,10 @@ val add : t -> part:int -> float -> unit
 (** [add crossings ~part t] adds the crossing of [part] at distance [t], which
     is not less than that of the last one. *)
 
+val divide : t -> float -> unit
+(** [divide crossings length] makes each distance that of a ray which has to go
+    1 where this one went [length], greater than 0. *)
+
 val enters : t -> int -> bool
 (** [enters crossings k] is whether the line goes in at crossing [k], from 0.
 *)

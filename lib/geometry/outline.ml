@@ -1,1 +1,5 @@
-type t = Ball of Sphere.t | Endless of Plane.t | Patch of Vec3.t list
+type t =
+  | Ball of Sphere.t
+  | Endless of Plane.t
+  | Patch of Vec3.t list
+  | Hull of Vec3.t list

@@ -6,7 +6,13 @@
     knows which shapes there are, but for the hierarchy, which keeps spheres as
     numbers. *)
 
-type t = Sphere of Sphere.t | Plane of Plane.t  (** The type for shapes. *)
+(** The type for shapes. *)
+type t =
+  | Sphere of Sphere.t
+  | Plane of Plane.t
+  | Placed of t Placed.t
+      (** what a change has made another kind of shape; the own shape is not
+          [Placed] again *)
 
 val sphere : centre:Vec3.t -> radius:float -> t
 (** [sphere ~centre ~radius] is {!Sphere.make} as a shape. *)
@@ -18,8 +24,11 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
     Raises [Invalid_argument] if a coordinate is not finite or [normal] is the
     zero vector. *)
 
-val transformed : Similarity.t -> t -> t
-(** [transformed change shape] is [shape] as [change] puts it.
+val transformed : ?keep_own:bool -> Change.t -> t -> t
+(** [transformed ~keep_own change shape] is [shape] as [change] puts it. It
+    stays of its kind if it can, so that its numbers are those of its new
+    place; else, or with [keep_own], it is {!Placed}, and keeps its own
+    coordinates.
 
     Raises [Invalid_argument] where a number is no longer what it must be. *)
 
@@ -73,11 +82,16 @@ val depth : t -> Vec3.t -> float
 (** {1 What is told} *)
 
 val name : t -> string
-(** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. *)
+(** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. A
+    {!Placed} one has the name of what it was. *)
 
 val parameters : t -> (string * Parameter.t) list
 (** [parameters shape] is what the scene language writes after {!name}, in that
-    order, each with its name. *)
+    order, each with its name; of a {!Placed} one in its own coordinates. *)
+
+val modifiers : t -> Change.modifier list
+(** [modifiers shape] is what the scene language writes after the surface: what
+    has brought a {!Placed} shape to its place. *)
 
 val outline : t -> Outline.t
 (** [outline shape] is how [shape] is drawn and spoken of. *)
@@ -92,4 +106,4 @@ val place : t -> float array
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [sphere centre (0, 0, 6) radius 1] and
-    [plane point (0, -1, 0) normal (0, 1, 0)]. *)
+    [plane point (0, -1, 0) normal (0, 1, 0)], and modifiers after that. *)

@@ -17,6 +17,42 @@ let box { cx; cy; cz; radius = r } =
     ~low:(Vec3.make (cx -. r) (cy -. r) (cz -. r))
     ~high:(Vec3.make (cx +. r) (cy +. r) (cz +. r))
 
+(* Along an axis an ellipsoid reaches as far as the row of the matrix is long,
+   for a ball of radius 1; wider by more than the rounding errors of what lies
+   on it. *)
+let box_through (out : Affine.t) { cx; cy; cz; radius } =
+  let { Vec3.x; y; z } = Affine.point out (Vec3.make cx cy cz) in
+  let far x a b c =
+    let length = Vec3.length (Vec3.make a b c) in
+    (radius *. length) +. (0x1p-44 *. (abs_float x +. (radius *. length)))
+  in
+  let fx = far x out.xx out.xy out.xz
+  and fy = far y out.yx out.yy out.yz
+  and fz = far z out.zx out.zy out.zz in
+  Box3.make
+    ~low:(Vec3.make (x -. fx) (y -. fy) (z -. fz))
+    ~high:(Vec3.make (x +. fx) (y +. fy) (z +. fz))
+
+(* The corners, edges and faces of a cube that is cut into pieces, brought to
+   the sphere. *)
+let rim { cx; cy; cz; radius } =
+  let pieces = 6 in
+  let steps =
+    List.init (pieces + 1) (fun k ->
+        (2. *. float_of_int k /. float_of_int pieces) -. 1.)
+  in
+  let face u v =
+    [
+      (u, v, 1.); (u, v, -1.); (u, 1., v); (u, -1., v); (1., u, v); (-1., u, v);
+    ]
+  in
+  let on_sphere (x, y, z) =
+    let scale = radius /. Vec3.length (Vec3.make x y z) in
+    Vec3.make (cx +. (scale *. x)) (cy +. (scale *. y)) (cz +. (scale *. z))
+  in
+  List.concat_map (fun u -> List.concat_map (face u) steps) steps
+  |> List.sort_uniq compare |> List.map on_sphere
+
 (* Where along the ray the point nearest to the centre is. *)
 let[@inline] middle cx cy cz (ray : Raw_ray.t) =
   ((cx -. ray.ox) *. ray.dx)

@@ -22,6 +22,13 @@ val centre : t -> Vec3.t
 val box : t -> Box3.t
 (** [box sphere] is the box that touches it on six sides. *)
 
+val box_through : Affine.t -> t -> Box3.t
+(** [box_through out sphere] is the box that touches the ellipsoid which [out]
+    makes of [sphere] on six sides. *)
+
+val rim : t -> Vec3.t list
+(** [rim sphere] is some hundred points all over it, for drawings. *)
+
 (** {1 What is hit}
 
     With [m] the place on the ray's line that is nearest to the centre, and [l]

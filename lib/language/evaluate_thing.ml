@@ -57,7 +57,7 @@ let bare block check scope { Syntax.thing; span; _ } =
 let compile block check scope placed =
   let thing = bare block check scope placed in
   let modifier { Syntax.change; span } =
-    Evaluate_written.compile check scope span ~default:Similarity.identity
+    Evaluate_written.compile check scope span ~default:(Change.Scaled 1.)
       change
   in
   match List.map modifier placed.modifiers with
@@ -66,9 +66,8 @@ let compile block check scope placed =
       fun frame ->
         let thing = thing frame in
         let change =
-          List.fold_left
-            (fun before modifier -> Similarity.compose (modifier frame) before)
-            Similarity.identity modifiers
+          Change.of_modifiers
+            (List.map (fun modifier -> modifier frame) modifiers)
         in
         match thing with
         | Thing.Light node -> Light (Changed (change, node))

@@ -3,24 +3,23 @@ open Raylab_expression
 open Written
 
 let scaled factor =
-  Written
-    {
-      make = Similarity.scaled;
-      parameters = [ number Positive "the factor" factor ];
-    }
+  let make k = Change.Scaled k in
+  Written { make; parameters = [ number Positive "the factor" factor ] }
 
 let stretched factors =
-  let make _ =
-    refuse "shapes cannot be stretched yet"
-      ~advice:"scaled changes the size in all directions alike"
+  let make ({ Vec3.x; y; z } as factors) =
+    if x = 0. || y = 0. || z = 0. then
+      refuse "a factor of stretched must not be 0"
+        ~advice:"a factor of 1 leaves a direction as it is"
+    else Change.Stretched factors
   in
   Written { make; parameters = [ vector "the factors" factors ] }
 
 let rotated axis angle =
   let make axis angle =
-    Similarity.rotated
-      ~axis:(Direction.of_vec3_exn axis)
-      ~sin:(Degrees.sin angle) ~cos:(Degrees.cos angle)
+    let axis = Direction.of_vec3_exn axis in
+    Change.Rotated
+      { axis; angle; sin = Degrees.sin angle; cos = Degrees.cos angle }
   in
   Written
     {
@@ -30,5 +29,5 @@ let rotated axis angle =
     }
 
 let translated way =
-  Written
-    { make = Similarity.translated; parameters = [ vector "the way" way ] }
+  let make way = Change.Translated way in
+  Written { make; parameters = [ vector "the way" way ] }

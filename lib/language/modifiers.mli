@@ -3,14 +3,15 @@
 open Raylab_geometry
 open Raylab_expression
 
-val scaled : Expression.t -> Similarity.t Written.t
+val scaled : Expression.t -> Change.modifier Written.t
 (** [scaled factor] makes it larger or smaller, seen from the origin. *)
 
-val stretched : Expression.t -> Similarity.t Written.t
-(** [stretched factors] is refused: shapes cannot be stretched yet. *)
+val stretched : Expression.t -> Change.modifier Written.t
+(** [stretched factors] makes it larger or smaller along each axis; a negative
+    factor mirrors it. *)
 
-val rotated : Expression.t -> Expression.t -> Similarity.t Written.t
+val rotated : Expression.t -> Expression.t -> Change.modifier Written.t
 (** [rotated axis angle] turns it around an axis through the origin. *)
 
-val translated : Expression.t -> Similarity.t Written.t
+val translated : Expression.t -> Change.modifier Written.t
 (** [translated way] moves it. *)

@@ -132,5 +132,8 @@ let print ppf (scene : Scene.t) =
   Format.fprintf ppf "objects@\n";
   List.iter
     (fun (o : Object.t) ->
-      Format.fprintf ppf "%a %a@\n" print_shape o.shape print_surface o.surface)
+      Format.fprintf ppf "%a %a%a@\n" print_shape o.shape print_surface
+        o.surface
+        (Change.pp_with print_number)
+        (Shape.modifiers o.shape))
     scene.objects

@@ -20,12 +20,10 @@ let node sink = Thing.many (List.rev sink.nodes)
 
 let rec place sink change (node : Thing.node) =
   match node with
-  | Leaf o ->
-      let shape = Shape.transformed change o.shape in
-      sink.objects <- { o with shape } :: sink.objects
+  | Leaf o -> sink.objects <- Object.transformed change o :: sink.objects
   | Lamp l -> sink.lights <- Light.transformed change l :: sink.lights
   | Many { nodes; _ } -> List.iter (place sink change) nodes
-  | Changed (own, node) -> place sink (Similarity.compose change own) node
+  | Changed (own, node) -> place sink (Change.compose change own) node
 
 let add sink span (node : Thing.node) =
   match node with
@@ -33,6 +31,6 @@ let add sink span (node : Thing.node) =
   | Leaf o -> sink.objects <- o :: sink.objects
   | Lamp l -> sink.lights <- l :: sink.lights
   | Many _ | Changed _ -> (
-      try place sink Similarity.identity node
+      try place sink Change.identity node
       with Invalid_argument _ ->
         Fault.fail span "its modifiers leave the range of numbers")

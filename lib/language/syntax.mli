@@ -17,7 +17,7 @@ and finish =
   | Chosen of Expression.t  (** a name, or what stands in brackets *)
 
 type modifier = {
-  change : Similarity.t Written.t;
+  change : Change.modifier Written.t;
   span : Span.t;  (** of its first word *)
 }
 

@@ -7,7 +7,7 @@ and node =
   | Leaf of Object.t
   | Lamp of Light.t
   | Many of { nodes : node list; count : int }
-  | Changed of Similarity.t * node
+  | Changed of Change.t * node
 
 let rec count = function
   | Leaf _ | Lamp _ -> 1

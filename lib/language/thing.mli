@@ -13,7 +13,7 @@ and node =
   | Leaf of Object.t
   | Lamp of Light.t
   | Many of { nodes : node list; count : int }
-  | Changed of Similarity.t * node
+  | Changed of Change.t * node
       (** The type for lights and objects, each in its own coordinates. *)
 
 val many : node list -> node

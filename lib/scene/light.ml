@@ -24,13 +24,21 @@ let spherical ~intensity ~color ~position =
     invalid_arg "a light's position must be finite";
   make ~intensity ~color (Spherical position)
 
+(* A direction goes where the way between two points would. *)
 let transformed change light =
+  let point, vector =
+    match Change.similarity change with
+    | Some s -> Similarity.(point s, direction s)
+    | None ->
+        let affine = Change.affine change in
+        Affine.(point affine, vector affine)
+  in
   match light.source with
   | Directional direction ->
-      let direction = Similarity.direction change (direction :> Vec3.t) in
+      let direction = vector (direction :> Vec3.t) in
       { light with source = Directional (Direction.of_vec3_exn direction) }
   | Spherical position ->
-      let position = Similarity.point change position in
+      let position = point position in
       if not (Vec3.is_finite position) then
         invalid_arg "a light's position must be finite";
       { light with source = Spherical position }

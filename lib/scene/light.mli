@@ -34,11 +34,13 @@ val spherical : intensity:float -> color:Color.t -> position:Vec3.t -> t
     1e154, where only an intensity of more than 1e304 could be seen, and within
     about 1e-162, as if the light were at the point itself. *)
 
-val transformed : Similarity.t -> t -> t
+val transformed : Change.t -> t -> t
 (** [transformed change light] is [light] as [change] puts it; its intensity
-    stays.
+    stays. A direction goes where the way from one point to another would:
+    light that goes through two points goes through both afterwards.
 
-    Raises [Invalid_argument] if its position is no longer finite. *)
+    Raises [Invalid_argument] if its position is no longer finite, or its
+    direction none. *)
 
 (** {1 What reaches a point} *)
 

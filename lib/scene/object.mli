@@ -9,6 +9,12 @@ val make : ?origin:Origin.t -> Shape.t -> Surface.t -> t
 (** [make ~origin shape surface] is the object of this shape and surface, whose
     origin is by default unknown. *)
 
+val transformed : Change.t -> t -> t
+(** [transformed change o] is [o] where {!Shape.transformed} puts it. Its shape
+    keeps its own coordinates if its surface varies in them.
+
+    Raises [Invalid_argument] likewise. *)
+
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] have equal shapes and surfaces. Origins
     do not count. *)

@@ -33,6 +33,18 @@ let sphere centre radius surface =
 let plane point normal surface =
   Object.make (Shape.plane ~point ~normal) surface
 
+let changed modifier = Object.transformed (Change.of_modifiers [ modifier ])
+let scaled k = changed (Scaled k)
+let stretched factors = changed (Stretched factors)
+
+let rotated axis angle =
+  let open Raylab_expression in
+  let axis = Direction.of_vec3_exn axis in
+  changed
+    (Rotated { axis; angle; sin = Degrees.sin angle; cos = Degrees.cos angle })
+
+let translated way = changed (Translated way)
+
 let camera =
   Camera.make ~width:640 ~height:480 ~canvas_width:4. ~canvas_height:3.
     ~depth:4.

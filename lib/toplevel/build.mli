@@ -69,6 +69,24 @@ val plane : Vec3.t -> Vec3.t -> Surface.t -> Object.t
 (** [plane point normal surface] is the plane through [point] perpendicular to
     [normal]. *)
 
+(** {1 Modifiers}
+
+    Each takes the object last: [sphere c r s |> stretched (vec 2. 1. 1.)]. *)
+
+val scaled : float -> Object.t -> Object.t
+(** [scaled k o] is [o], [k] times as large, seen from the origin. *)
+
+val stretched : Vec3.t -> Object.t -> Object.t
+(** [stretched factors o] is [o] with each coordinate multiplied by that of
+    [factors], none of which is 0; a negative one mirrors. *)
+
+val rotated : Vec3.t -> float -> Object.t -> Object.t
+(** [rotated axis angle o] is [o] turned around [axis] through the origin by
+    [angle] degrees, by the left-hand rule. *)
+
+val translated : Vec3.t -> Object.t -> Object.t
+(** [translated way o] is [o], moved by [way]. *)
+
 (** {1 Scenes} *)
 
 val camera : Camera.t

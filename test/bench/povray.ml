@@ -73,16 +73,29 @@ let write_surface channel surface =
   | false, true -> finish emission "diffuse 0 emission 1"
   | false, false -> invalid_arg "POV-Ray: a luminous and diffusive surface"
 
-let write_object channel (o : Object.t) =
-  (match o.shape with
-  | Sphere sphere ->
+let matrix (a : Affine.t) =
+  Printf.sprintf " matrix<%s>"
+    (String.concat ","
+       (List.map number
+          [ a.xx; a.yx; a.zx; a.xy; a.yy; a.zy; a.xz; a.yz; a.zz ]
+       @ List.map number [ a.x; a.y; a.z ]))
+
+(* Without the last bracket: the surface follows. *)
+let rec write_shape channel = function
+  | Shape.Sphere sphere ->
       Printf.fprintf channel "sphere{%s,%s"
         (vector (Sphere.centre sphere))
         (number sphere.radius)
   | Plane { point; normal } ->
       let normal = (normal :> Vec3.t) in
       Printf.fprintf channel "plane{%s,%s" (vector normal)
-        (number (Vec3.dot point normal)));
+        (number (Vec3.dot point normal))
+  | Placed { own; out; _ } ->
+      write_shape channel own;
+      output_string channel (matrix out)
+
+let write_object channel (o : Object.t) =
+  write_shape channel o.shape;
   write_surface channel o.surface
 
 (* POV-Ray counts the primary ray as level 1, as raylab does, and allows at

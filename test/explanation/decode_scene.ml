@@ -91,9 +91,13 @@ let origin json =
       if text (member "file" json) <> "wood.scene" then wrong "file";
       Build.at_line_of_wood line
 
+let changes : Yojson.Safe.t -> string list = function
+  | `Assoc found when List.mem_assoc "modifiers" found -> [ "modifiers" ]
+  | _ -> []
+
 let object_ json =
-  let names = ("number" :: place_members json) @ [ "shape"; "surface" ] in
-  let get = members names json in
-  let o = read (written (get "shape") @ written (get "surface")) in
+  let parts = [ "shape"; "surface" ] @ changes json in
+  let get = members (("number" :: place_members json) @ parts) json in
+  let o = read (List.concat_map (fun part -> written (get part)) parts) in
   let origin = origin json in
   (int (get "number"), { o with origin }, Build.place origin)

@@ -104,6 +104,14 @@ let rec surface number depth random =
       in
       Printf.sprintf "mixed %s %s" (part random) (some random 2 part)
 
+let modifier number random =
+  match up_to random 3 with
+  | 0 -> "scaled " ^ positive number random
+  | 1 -> "stretched " ^ vector (positive number) random
+  | 2 ->
+      Printf.sprintf "rotated %s %s" (direction number random) (number random)
+  | _ -> "translated " ^ vector number random
+
 let object_ number random =
   let shape =
     if Random.State.bool random then
@@ -113,7 +121,10 @@ let object_ number random =
       Printf.sprintf "plane %s %s" (vector number random)
         (direction number random)
   in
-  shape ^ " " ^ surface number 3 random ^ "\n"
+  let modifiers =
+    if one_in random 3 then some random 3 (modifier number) else ""
+  in
+  String.concat " " [ shape; surface number 3 random; modifiers ] ^ "\n"
 
 let light number random =
   let intensity = at_least_0 number random and color = color number random in

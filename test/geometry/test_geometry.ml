@@ -14,6 +14,7 @@ let () =
       Test_sphere_precision.suite;
       Test_plane.suite;
       Test_shape.suite;
+      Test_placed.suite;
       Test_finder.suite;
       Test_bvh_leaves.suite;
       Test_bvh.suite;

@@ -137,10 +137,11 @@ let nearest_is_least =
       = Option.map (fun (c : Crossings.crossing) -> (c.t, c.part)) first)
 
 (* Whether a point is in the inside of a shape, by what a shape is. *)
-let holds_point shape point =
+let rec holds_point shape point =
   match (shape : Shape.t) with
   | Sphere s -> Vec3.length (Vec3.sub point (Sphere.centre s)) < s.radius
   | Plane p -> Vec3.dot (Vec3.sub point p.point) (p.normal :> Vec3.t) < 0.
+  | Placed p -> holds_point p.own (Affine.point p.back point)
 
 (* Far enough from every crossing for rounding not to decide. *)
 let between_crossings ts =

@@ -125,9 +125,12 @@ let rules =
     check "a loop without end"
       {|for i = 0 to 1e99 end
     ^ the evaluation takes more than 100,000,000 steps|};
-    check "stretched"
-      {|sphere 0 0 6 1 reflective stretched 1 2 1
-                          ^^^^^^^^^ shapes cannot be stretched yet|};
+    check "stretched by nothing"
+      {|sphere 0 0 6 1 reflective stretched 1 0 1
+                          ^^^^^^^^^ a factor of stretched must not be 0|};
+    check "stretched out of the range of numbers"
+      {|sphere 0 0 6 1 reflective stretched 1e300 1 1 translated 1 0 0 stretched 1e300 1 1
+^^^^^^^^^^^^^^ its modifiers leave the range of numbers|};
     check "scaled by nothing"
       {|sphere 0 0 6 1 reflective scaled 0
                                  ^ the factor must be greater than 0, not 0|};

@@ -38,7 +38,27 @@ let ray number =
     (fun origin direction -> Ray.make ~origin ~direction)
     (vec3 number) (direction number)
 
-let shape number =
+(* Factors that are no power of 2, so that they round. *)
+let modifier number =
+  let factor = oneofl [ 0.3; 0.7; 1.; 1.3; 2.6 ] in
+  let signed = oneof [ factor; map Float.neg factor ] in
+  oneof
+    [
+      map (fun k -> Change.Scaled k) factor;
+      map (fun factors -> Change.Stretched factors) (vec3 signed);
+      map (fun way -> Change.Translated way) (vec3 number);
+      map2
+        (fun axis angle ->
+          let open Raylab_expression in
+          let sin = Degrees.sin angle and cos = Degrees.cos angle in
+          Change.Rotated { axis; angle; sin; cos })
+        (direction number) (float_range (-360.) 360.);
+    ]
+
+let change number =
+  map Change.of_modifiers (list_size (1 -- 4) (modifier number))
+
+let simple_shape number =
   oneof
     [
       map2
@@ -48,6 +68,16 @@ let shape number =
         (fun point (normal : Direction.t) ->
           Shape.plane ~point ~normal:(normal :> Vec3.t))
         (vec3 number) (direction number);
+    ]
+
+let shape number =
+  let changed shape change =
+    try Shape.transformed change shape with Invalid_argument _ -> shape
+  in
+  frequency
+    [
+      (3, simple_shape number);
+      (1, map2 changed (simple_shape number) (change number));
     ]
 
 let color number =

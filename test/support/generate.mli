@@ -29,7 +29,15 @@ val positive : float Gen.t -> float Gen.t
 val vec3 : float Gen.t -> Vec3.t Gen.t
 val direction : float Gen.t -> Direction.t Gen.t
 val ray : float Gen.t -> Ray.t Gen.t
+
+val change : float Gen.t -> Change.t Gen.t
+(** Up to four modifiers, with factors from 0.3 to 2.6, negative ones too. *)
+
+val simple_shape : float Gen.t -> Shape.t Gen.t
+(** As it is written, without a change. *)
+
 val shape : float Gen.t -> Shape.t Gen.t
+(** Some of them changed. *)
 
 (** {1 Scenes} *)
 

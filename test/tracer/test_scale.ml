@@ -13,6 +13,7 @@ let scale_shape k = function
         ~radius:(k *. s.radius)
   | Plane p ->
       Shape.plane ~point:(Vec3.scale k p.point) ~normal:(p.normal :> Vec3.t)
+  | placed -> Shape.transformed Change.(of_modifiers [ Scaled k ]) placed
 
 let scale_light k (light : Light.t) =
   match light.source with

@@ -26,21 +26,57 @@ let mirrored d n = d - (2. *. dot d n * n)
 
 let centre (s : Sphere.t) = Vec3.make s.cx s.cy s.cz
 
-let intersections (shape : Shape.t) { o; d; _ } =
+(* v turned by -angle, u the axis *)
+let unturned u angle v =
+  let radians = -.angle *. Float.pi /. 180. in
+  let c = cos radians and s = sin radians in
+  (c * v) + (s * Vec3.cross u v) + (dot u v *. (1. -. c) * u)
+
+let each f { Vec3.x; y; z } (k : Vec3.t) =
+  Vec3.make (f x k.x) (f y k.y) (f z k.z)
+
+(* The linear part of the inverse, and the inverse. *)
+let undo_vector v : Change.modifier -> Vec3.t = function
+  | Scaled k -> 1. /. k * v
+  | Stretched k -> each ( /. ) v k
+  | Rotated { axis; angle; _ } -> unturned (axis :> Vec3.t) angle v
+  | Translated _ -> v
+
+let undo_point p : Change.modifier -> Vec3.t = function
+  | Translated way -> p - way
+  | modifier -> undo_vector p modifier
+
+let undone undo modifiers v = List.fold_left undo v (List.rev modifiers)
+
+let rec intersections (shape : Shape.t) ({ o; d; _ } as ray) =
   match shape with
   | Sphere s ->
-      let m = dot (centre s - o) d in
+      (* of a ray whose direction may have any length *)
+      let dd = dot d d in
+      let m = dot (centre s - o) d /. dd in
       let l = centre s - o - (m * d) in
       let delta = (s.radius *. s.radius) -. dot l l in
-      if delta >= 0. then [ m -. sqrt delta; m +. sqrt delta ] else []
+      let half = sqrt (delta /. dd) in
+      if delta >= 0. then [ m -. half; m +. half ] else []
   | Plane { point = q; normal } ->
       let n = (normal :> Vec3.t) in
       if dot d n <> 0. then [ dot (q - o) n /. dot d n ] else []
+  | Placed { own; modifiers; _ } ->
+      let o = undone undo_point modifiers o
+      and d = undone undo_vector modifiers d in
+      intersections own { ray with o; d }
 
-let outward (shape : Shape.t) p =
+(* M^-T is made of the columns of M^-1. *)
+let rec outward (shape : Shape.t) p =
   match shape with
   | Sphere s -> 1. /. s.radius * (p - centre s)
   | Plane { normal; _ } -> (normal :> Vec3.t)
+  | Placed { own; modifiers; _ } ->
+      let n = outward own (undone undo_point modifiers p) in
+      let part x y z =
+        dot (undone undo_vector modifiers (Vec3.make x y z)) n
+      in
+      unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
 
 (* {1 Hits} *)
 
@@ -64,7 +100,9 @@ let facing { d; _ } n = if dot d n > 0. then -n else n
 let offset (scene : Scene.t) (shape : Shape.t) p { o; _ } =
   let { Camera.canvas_width; canvas_height; depth; _ } = scene.camera in
   let absolute { Vec3.x; y; z } = abs_float x +. abs_float y +. abs_float z in
-  let size = match shape with Sphere s -> s.radius | Plane _ -> 0. in
+  let size =
+    match shape with Sphere s -> s.radius | Plane _ | Placed _ -> 0.
+  in
   Float.max
     (1e-5 *. Float.min (Float.min canvas_width canvas_height) depth)
     (ldexp (size +. absolute p +. absolute o) (-44))
