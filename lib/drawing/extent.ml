@@ -17,9 +17,8 @@ let middle = function
 (* How far from the eye something may be. *)
 let range (scene : Scene.t) boxes hits =
   let eye = Camera.eye scene.camera in
-  let low, high = Camera.canvas scene.camera in
-  let { Vec3.x; y; _ } = Vec3.sub high low in
-  let usual = 2. *. Float.max scene.camera.depth (Float.max x y) in
+  let { Camera.canvas_width; canvas_height; depth; _ } = scene.camera in
+  let usual = 2. *. Float.max depth (Float.max canvas_width canvas_height) in
   let distances =
     List.filter Float.is_finite
       (List.map (distance eye) (hits @ List.map Box3.centre boxes))
@@ -61,8 +60,8 @@ let widen { Box3.low; high } =
   Box3.make ~low:(Vec3.sub low more) ~high:(Vec3.add high more)
 
 let of_path (scene : Scene.t) { Path.hits; _ } =
-  let low, high = Camera.canvas scene.camera in
   let eye = Camera.eye scene.camera in
+  let a, b, c, d = Camera.corners scene.camera in
   let boxes = boxes scene
   and hits = List.map (fun (hit : Path.hit) -> hit.point) hits in
   let range = range scene boxes hits in
@@ -81,6 +80,6 @@ let of_path (scene : Scene.t) { Path.hits; _ } =
   in
   widen
     (around
-       ([ eye; low; high ]
+       ([ eye; a; b; c; d ]
        @ List.filter is_near (hits @ lights)
        @ List.concat_map extents boxes))

@@ -66,23 +66,24 @@ let bare_number { number; _ } place =
 (* {1 All of them} *)
 
 (* At which level a shape is cut: that of its first hit, or of the eye. *)
-let levels side { Path.hits; _ } =
+let levels side camera { Path.hits; _ } =
   let levels = Hashtbl.create 16 in
   List.iter
     (fun { Path.number; point; _ } ->
       if not (Hashtbl.mem levels number) then
         Hashtbl.add levels number (Panel.towards_viewer side point))
     hits;
-  fun number -> Option.value (Hashtbl.find_opt levels number) ~default:0.
+  let default = Panel.towards_viewer side (Camera.eye camera) in
+  fun number -> Option.value (Hashtbl.find_opt levels number) ~default
 
 (* At most so many objects that are not met are numbered. *)
 let few = 30
 
 (* The objects, the names of those that are met, the numbers of the others. *)
-let objects (panel : Panel.t) scene path =
+let objects (panel : Panel.t) (scene : Scene.t) path =
   let met = Hashtbl.create 16 in
   List.iter (fun number -> Hashtbl.replace met number ()) (Path.objects path);
-  let level = levels panel.side path in
+  let level = levels panel.side scene.camera path in
   let items = chosen panel met scene in
   let draw item =
     let s = { Silhouette.fill = fill item.object_; is_met = item.is_met } in
@@ -106,16 +107,31 @@ let objects (panel : Panel.t) scene path =
 
 (* {1 Eye and canvas} *)
 
+(* A line where it is seen from its edge, as that of a camera that is not placed
+   is from above and from the side. *)
+let canvas_mark pen (((ax, ay) as a), ((bx, by) as b), ((cx, cy) as c), d) =
+  let area = ((bx -. ax) *. (cy -. ay)) -. ((by -. ay) *. (cx -. ax))
+  and along, _ = Way.between a c
+  and across, _ = Way.between b d in
+  let longer = Float.max along across in
+  if abs_float area > pen.Drawing.width *. longer then
+    let look = Drawing.filled ~opacity:0.12 ~outline:pen (Ink pen.ink) in
+    Drawing.Polygon (look, [ a; b; c; d ])
+  else if along >= 0.99 *. longer then Line (pen, a, c)
+  else Line (pen, b, d)
+
 let eye_and_canvas panel (camera : Camera.t) =
-  let low, high = Camera.canvas camera in
+  let a, b, c, d = Camera.corners camera and point = Panel.point panel in
+  let ((x', y') as upper_right) = point c in
   let rim = Drawing.stroke ~width:1.5 0x222222 in
   let ((x, y) as eye) = Panel.point panel (Camera.eye camera) in
-  let ((x', y') as top) = Panel.point panel high in
   Sketch.all
     [
       Sketch.marks
         [
-          Line (Drawing.stroke ~width:2.5 0x00897b, Panel.point panel low, top);
+          canvas_mark
+            (Drawing.stroke ~width:2.5 0x00897b)
+            (point a, point b, upper_right, point d);
         ];
       Sketch.busy (Rectangle.around eye 6.)
         [

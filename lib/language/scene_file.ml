@@ -117,14 +117,25 @@ let print_shape ppf shape =
 
 let print_surface = Surface.pp_with print_number
 
-let print ppf (scene : Scene.t) =
-  let { Camera.width; height; canvas_width; canvas_height; depth } =
-    scene.camera
+let print_viewpoint ppf { Viewpoint.eye; look_at; up; _ } =
+  Format.fprintf ppf "eye %s@\nlookAt %s@\nup %s@\n" (vector eye)
+    (vector look_at) (vector up)
+
+let print_camera ppf (camera : Camera.t) =
+  let { Camera.width; height; canvas_width; canvas_height; depth; _ } =
+    camera
   in
   Format.fprintf ppf "imWidth %d@\nimHeight %d@\n" width height;
-  Format.fprintf ppf "canvWidth %s@\ncanvHeight %s@\n" (number canvas_width)
-    (number canvas_height);
-  Format.fprintf ppf "depth %s@\n" (number depth);
+  (match camera.fov with
+  | Some fov -> Format.fprintf ppf "fov %s@\n" (number fov)
+  | None ->
+      Format.fprintf ppf "canvWidth %s@\ncanvHeight %s@\ndepth %s@\n"
+        (number canvas_width) (number canvas_height) (number depth));
+  if Option.is_some camera.fov || Camera.is_placed camera then
+    print_viewpoint ppf camera.viewpoint
+
+let print ppf (scene : Scene.t) =
+  print_camera ppf scene.camera;
   Format.fprintf ppf "bcolor %s@\n" (color scene.background);
   Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
   if scene.lights <> [] then Format.fprintf ppf "lights@\n";

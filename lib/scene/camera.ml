@@ -1,11 +1,14 @@
 open Raylab_geometry
+open Raylab_expression
 
 type t = {
   width : int;
   height : int;
+  fov : float option;
   canvas_width : float;
   canvas_height : float;
   depth : float;
+  viewpoint : Viewpoint.t;
 }
 
 let max_size = 0x7fff_ffff
@@ -15,53 +18,107 @@ let require_pixels name n =
     invalid_arg
       (Printf.sprintf "%s must be from 1 to %d, not %d" name max_size n)
 
-let make ~width ~height ~canvas_width ~canvas_height ~depth =
+let make_in viewpoint fov ~width ~height ~canvas_width ~canvas_height ~depth =
   require_pixels "the picture's width" width;
   require_pixels "the picture's height" height;
   Number.require Positive "the canvas's width" canvas_width;
   Number.require Positive "the canvas's height" canvas_height;
   Number.require Positive "the depth" depth;
-  { width; height; canvas_width; canvas_height; depth }
+  { width; height; fov; canvas_width; canvas_height; depth; viewpoint }
 
-let with_size ~width ~height { canvas_width; canvas_height; depth; _ } =
-  make ~width ~height ~canvas_width ~canvas_height ~depth
+let make ~width ~height ~canvas_width ~canvas_height ~depth =
+  Number.require Positive "the depth" depth;
+  make_in
+    (Viewpoint.before_origin depth)
+    None ~width ~height ~canvas_width ~canvas_height ~depth
 
-let eye camera = Vec3.make 0. 0. (-.camera.depth)
+let of_fov ~width ~height ~fov viewpoint =
+  if not (fov > 0. && fov < 180.) then
+    invalid_arg
+      (Printf.sprintf "the angle of view (%g) must be between 0 and 180" fov);
+  require_pixels "the picture's width" width;
+  let depth = Viewpoint.distance viewpoint in
+  let canvas_width = 2. *. depth *. Degrees.tan (fov /. 2.) in
+  let canvas_height =
+    canvas_width *. (float_of_int height /. float_of_int width)
+  in
+  make_in viewpoint (Some fov) ~width ~height ~canvas_width ~canvas_height
+    ~depth
 
-let canvas { canvas_width = w; canvas_height = h; _ } =
-  (Vec3.make (w /. -2.) (h /. -2.) 0., Vec3.make (w /. 2.) (h /. 2.) 0.)
+let with_size ~width ~height camera =
+  let { fov; canvas_width; canvas_height; depth; viewpoint; _ } = camera in
+  match fov with
+  | Some fov -> of_fov ~width ~height ~fov viewpoint
+  | None ->
+      make_in viewpoint None ~width ~height ~canvas_width ~canvas_height ~depth
+
+let with_viewpoint viewpoint camera =
+  match camera with
+  | { width; height; fov = Some fov; _ } ->
+      of_fov ~width ~height ~fov viewpoint
+  | { fov = None; _ } -> { camera with viewpoint }
+
+let is_placed { viewpoint; depth; _ } =
+  not (Viewpoint.equal viewpoint (Viewpoint.before_origin depth))
+
+let eye camera = camera.viewpoint.eye
+
+(* The point of the canvas that is [x] to the right of its middle and [y]
+   above. *)
+let on_canvas { viewpoint; depth; _ } x y =
+  Vec3.add viewpoint.eye (Viewpoint.of_frame viewpoint (Vec3.make x y depth))
+
+let corners ({ canvas_width; canvas_height; _ } as camera) =
+  let x = canvas_width /. 2. and y = canvas_height /. 2. in
+  let at = on_canvas camera in
+  (at (-.x) (-.y), at x (-.y), at x y, at (-.x) y)
 
 let scale camera =
   Float.min camera.depth (Float.min camera.canvas_width camera.canvas_height)
 
-(* [along extent count k] is where the centre of the k-th of [count] equal parts
-   of a line lies, if the line has length [extent] and its middle is at 0. *)
+(* [along extent count k] is where the place [k] of [0 ... count] lies on a line
+   of length [extent], if its middle is at 0. *)
 let[@inline] along extent count k =
-  (-.extent /. 2.) +. (extent *. (float_of_int k +. 0.5) /. float_of_int count)
+  (-.extent /. 2.) +. (extent *. k /. float_of_int count)
 
 let z_axis = Direction.of_vec3_exn (Vec3.make 0. 0. 1.)
 
-let aim camera ~x ~y (ray : Raw_ray.t) =
-  let from_bottom = camera.height - 1 - y in
-  let dx = along camera.canvas_width camera.width x
-  and dy = along camera.canvas_height camera.height from_bottom
-  and dz = camera.depth in
-  Raw_ray.set_origin ray 0. 0. (-.dz);
+(* Turns a direction of the viewpoint's frame into one of the scene's. *)
+let[@inline] set_direction { Viewpoint.right; above; forward; _ } ray x y z =
+  let r = (right :> Vec3.t)
+  and u = (above :> Vec3.t)
+  and f = (forward :> Vec3.t) in
+  Raw_ray.set_direction ray
+    ((x *. r.x) +. (y *. u.x) +. (z *. f.x))
+    ((x *. r.y) +. (y *. u.y) +. (z *. f.y))
+    ((x *. r.z) +. (y *. u.z) +. (z *. f.z))
+
+let[@inline] aim
+    { width; height; canvas_width; canvas_height; depth; viewpoint; _ } ~x ~y
+    ~dx ~dy (ray : Raw_ray.t) =
+  let { Viewpoint.eye; _ } = viewpoint in
+  let across = along canvas_width width (float_of_int x +. dx)
+  and up =
+    along canvas_height height (float_of_int (height - 1 - y) +. (1. -. dy))
+  in
+  Raw_ray.set_origin ray eye.x eye.y eye.z;
   ray.reach <- infinity;
-  let squared = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
+  let squared = (across *. across) +. (up *. up) +. (depth *. depth) in
   if squared > 1e-280 && squared < 1e280 then
     let scale = 1. /. sqrt squared in
-    Raw_ray.set_direction ray (dx *. scale) (dy *. scale) (dz *. scale)
+    set_direction viewpoint ray (across *. scale) (up *. scale) (depth *. scale)
   else
     (* beyond what can be squared *)
-    let direction = Direction.of_vec3_or z_axis (Vec3.make dx dy dz) in
+    let direction = Direction.of_vec3_or z_axis (Vec3.make across up depth) in
     let { Vec3.x; y; z } = (direction :> Vec3.t) in
-    Raw_ray.set_direction ray x y z
+    set_direction viewpoint ray x y z
 
-let primary_ray camera ~x ~y =
+let ray_through camera ~x ~y ~dx ~dy =
   let ray = Raw_ray.create () in
-  aim camera ~x ~y ray;
+  aim camera ~x ~y ~dx ~dy ray;
   Ray.of_raw ray
+
+let primary_ray = ray_through ~dx:0.5 ~dy:0.5
 
 let primary_rays camera =
   Seq.concat_map
@@ -75,12 +132,14 @@ let primary_rays camera =
    along it vanish. *)
 type homogeneous = { x : float; y : float; w : float }
 
-let of_point { depth; _ } { Vec3.x; y; z } =
-  { x = x *. depth; y = y *. depth; w = z +. depth }
-
-let of_direction { depth; _ } (d : Direction.t) =
-  let { Vec3.x; y; z } = Vec3.scale depth (d :> Vec3.t) in
+let homogeneous { depth; viewpoint; _ } v =
+  let { Vec3.x; y; z } = Viewpoint.to_frame viewpoint v in
   { x = x *. depth; y = y *. depth; w = z }
+
+let of_point camera p = homogeneous camera (Vec3.sub p (eye camera))
+
+let of_direction camera (d : Direction.t) =
+  homogeneous camera (Vec3.scale camera.depth (d :> Vec3.t))
 
 (* what is closer to the plane of the eye than this is not shown *)
 let near camera = 1e-6 *. camera.depth
@@ -122,3 +181,12 @@ let project_ray camera ray ~length =
   | false, false -> None
 
 let equal (a : t) b = a = b
+
+let pp_view ppf ({ canvas_width; canvas_height; depth; _ } as camera) =
+  (match camera.fov with
+  | Some fov -> Format.fprintf ppf "fov %a" Number.pp fov
+  | None ->
+      Format.fprintf ppf "canvas %a x %a, depth %a" Number.pp canvas_width
+        Number.pp canvas_height Number.pp depth);
+  if is_placed camera then
+    Format.fprintf ppf "@,%a" Viewpoint.pp camera.viewpoint

@@ -1,18 +1,25 @@
 (** The camera: from a pixel to the ray that looks through it.
 
-    The canvas is a rectangle centred on the origin in the plane z = 0; the eye
-    is before it at (0, 0, -depth). *)
+    The canvas is a rectangle before the eye, as wide and high as the frame of
+    the {{!Viewpoint}viewpoint} says, whose middle the eye looks at. Unless a
+    camera is placed it is centred on the origin in the plane z = 0, and the
+    eye is at (0, 0, -depth). *)
 
 open Raylab_geometry
 
 type t = private {
   width : int;  (** of the picture, in pixels *)
   height : int;
+  fov : float option;
+      (** the horizontal angle of view in degrees, if the canvas is made from
+          it *)
   canvas_width : float;  (** of the canvas, in the scene's lengths *)
   canvas_height : float;
   depth : float;  (** from the eye to the canvas *)
+  viewpoint : Viewpoint.t;
 }
-(** The type for cameras: every number is finite and greater than 0. *)
+(** The type for cameras: sizes, angle and depth are finite and greater than 0.
+*)
 
 val make :
   width:int ->
@@ -27,26 +34,46 @@ val make :
     Raises [Invalid_argument] if one is not finite or not greater than 0, or
     [width] or [height] is greater than {!max_size}. *)
 
+val of_fov : width:int -> height:int -> fov:float -> Viewpoint.t -> t
+(** [of_fov ~width ~height ~fov viewpoint] sees from [viewpoint] under a
+    horizontal angle of [fov] degrees: its canvas stands at the point looked
+    at, is so wide that it fills the angle, and has the proportions of the
+    picture.
+
+    Raises [Invalid_argument] as {!make} does, if [fov] is not between 0 and
+    180, or the canvas leaves the range of doubles. *)
+
 val max_size : int
 (** [max_size] is 2^31 - 1: no picture format knows a larger number. *)
 
 val with_size : width:int -> height:int -> t -> t
-(** [with_size ~width ~height camera] looks at the same canvas with a picture
-    of this size.
+(** [with_size ~width ~height camera] takes a picture of this size through the
+    same canvas; under the same angle, if [camera] has one.
 
     Raises [Invalid_argument] if [width] or [height] is less than 1 or greater
-    than {!max_size}. *)
+    than {!max_size}, and as {!of_fov} does. *)
+
+val with_viewpoint : Viewpoint.t -> t -> t
+(** [with_viewpoint viewpoint camera] is [camera], eye and canvas, moved to
+    [viewpoint]; under the same angle, if [camera] has one.
+
+    Raises [Invalid_argument] as {!of_fov} does. *)
+
+val is_placed : t -> bool
+(** [is_placed camera] is whether [camera] is moved from where {!make} puts it.
+*)
 
 val eye : t -> Vec3.t
-(** [eye camera] is the point (0, 0, -depth). *)
+(** [eye camera] is the point from which it sees. *)
 
-val canvas : t -> Vec3.t * Vec3.t
-(** [canvas camera] is the lower left and the upper right corner of the canvas,
-    as the eye sees it. *)
+val corners : t -> Vec3.t * Vec3.t * Vec3.t * Vec3.t
+(** [corners camera] is the four corners of the canvas as the eye sees them:
+    lower left, lower right, upper right, upper left. *)
 
 val scale : t -> float
 (** [scale camera] is a length that tells how large the scene's lengths are:
-    the smallest of canvas width, canvas height and depth. *)
+    the smallest of canvas width, canvas height and depth, the canvas as it is
+    placed. *)
 
 val primary_ray : t -> x:int -> y:int -> Ray.t
 (** [primary_ray camera ~x ~y] is the ray from the eye through the centre of
@@ -56,8 +83,13 @@ val primary_ray : t -> x:int -> y:int -> Ray.t
 val primary_rays : t -> Ray.t Seq.t
 (** [primary_rays camera] is the ray of each pixel, row by row from the top. *)
 
-val aim : t -> x:int -> y:int -> Raw_ray.t -> unit
-(** [aim camera ~x ~y ray] makes [ray] the primary ray of pixel [(x, y)]. *)
+val ray_through : t -> x:int -> y:int -> dx:float -> dy:float -> Ray.t
+(** [ray_through camera ~x ~y ~dx ~dy] is the ray through the place that is
+    [dx] to the right of the left edge and [dy] below the upper edge of pixel
+    [(x, y)], in pixels: {!primary_ray} for a half. *)
+
+val aim : t -> x:int -> y:int -> dx:float -> dy:float -> Raw_ray.t -> unit
+(** [aim camera ~x ~y ~dx ~dy ray] makes [ray] that of {!ray_through}. *)
 
 (** {1 From space to the picture}
 
@@ -77,3 +109,8 @@ val project_ray :
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] have the same numbers. *)
+
+val pp_view : Format.formatter -> t -> unit
+(** [pp_view] prints how the camera looks, but not the size of its picture: the
+    canvas or the angle, and the viewpoint of one that is placed, on a second
+    line of a vertical box. *)

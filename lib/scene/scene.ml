@@ -1,4 +1,3 @@
-open Raylab_geometry
 open Raylab_source
 
 type t = {
@@ -94,11 +93,8 @@ let equal a b =
 let shown_objects = 10
 
 let pp ppf scene =
-  let { Camera.width; height; canvas_width; canvas_height; depth } =
-    scene.camera
-  in
-  Format.fprintf ppf "@[<v>scene of %d x %d pixels, canvas %a x %a, depth %a"
-    width height Number.pp canvas_width Number.pp canvas_height Number.pp depth;
+  Format.fprintf ppf "@[<v>scene of %d x %d pixels, %a" scene.camera.width
+    scene.camera.height Camera.pp_view scene.camera;
   Format.fprintf ppf "@,background %a, ray depth %d" Color.pp scene.background
     scene.ray_depth;
   List.iteri

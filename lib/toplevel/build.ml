@@ -49,4 +49,10 @@ let camera =
   Camera.make ~width:640 ~height:480 ~canvas_width:4. ~canvas_height:3.
     ~depth:4.
 
+let looking ?up eye look_at =
+  Camera.with_viewpoint (Viewpoint.make_exn ?up ~look_at eye)
+
+let fov fov { Camera.width; height; viewpoint; _ } =
+  Camera.of_fov ~width ~height ~fov viewpoint
+
 let empty = Scene.make camera

@@ -93,5 +93,14 @@ val camera : Camera.t
 (** [camera] takes a picture of 640 x 480 pixels through a canvas of 4 x 3 from
     a distance of 4, as the first scene of the gallery does. *)
 
+val looking : ?up:Vec3.t -> Vec3.t -> Vec3.t -> Camera.t -> Camera.t
+(** [looking ~up eye point camera] is [camera], with its canvas, moved to [eye]
+    and turned towards [point], so that [up], by default (0, 1, 0), is up in
+    the picture. *)
+
+val fov : float -> Camera.t -> Camera.t
+(** [fov degrees camera] is [camera] with a horizontal angle of view instead of
+    its canvas. *)
+
 val empty : Scene.t
 (** [empty] is the scene that {!camera} sees when nothing is there. *)

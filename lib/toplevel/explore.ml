@@ -32,7 +32,8 @@ use (Scene.make camera
        ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])
 
 Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
-are with_background, with_lights, with_objects and with_camera.|}
+are with_background, with_lights, with_objects and with_camera.
+looking (vec 3. 2. (-4.)) (vec 0. 0. 0.) camera is a camera elsewhere.|}
 
 let help () =
   List.iter (fun (word, line) -> Format.printf "%-14s%s@." word line) words;

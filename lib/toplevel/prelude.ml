@@ -15,6 +15,7 @@ module Surface = Raylab_scene.Surface
 module Light = Raylab_scene.Light
 module Origin = Raylab_scene.Origin
 module Object = Raylab_scene.Object
+module Viewpoint = Raylab_scene.Viewpoint
 module Camera = Raylab_scene.Camera
 module Scene = Raylab_scene.Scene
 module Scene_file = Raylab_language.Scene_file

@@ -25,11 +25,20 @@ let light = Broken.at_words Light.pp
 let object_ = Broken.at_words Object.pp
 
 let camera ppf (c : Camera.t) =
-  Format.fprintf ppf
-    "@[<hov 2>%d x %d pixels@ through a canvas@ of %a x %a@ from %a@]" c.width
-    c.height Number.pp c.canvas_width Number.pp c.canvas_height vec3
-    (Camera.eye c)
+  let { Viewpoint.eye; look_at; up; _ } = c.viewpoint in
+  Format.fprintf ppf "@[<hov 2>%d x %d pixels@ " c.width c.height;
+  (match c.fov with
+  | Some fov -> Format.fprintf ppf "under %a degrees@ " Number.pp fov
+  | None ->
+      Format.fprintf ppf "through a canvas@ of %a x %a@ " Number.pp
+        c.canvas_width Number.pp c.canvas_height);
+  Format.fprintf ppf "from %a" vec3 eye;
+  if Camera.is_placed c then Format.fprintf ppf "@ towards %a" vec3 look_at;
+  if not (Vec3.equal up Viewpoint.default_up) then
+    Format.fprintf ppf ",@ up %a" vec3 up;
+  Format.fprintf ppf "@]"
 
+let viewpoint = Broken.at_words Viewpoint.pp
 let scene = Broken.at_words Scene.pp
 
 (* The excerpt has its marks below what they mark. *)

@@ -64,6 +64,10 @@ val camera : Format.formatter -> Camera.t -> unit
 [@@ocaml.toplevel_printer]
 (** [640 x 480 pixels through a canvas of 4 x 3 from (0, 0, -4)] *)
 
+val viewpoint : Format.formatter -> Viewpoint.t -> unit
+[@@ocaml.toplevel_printer]
+(** [eye (3, 2, -4), lookAt (0, 0, 0)] *)
+
 val scene : Format.formatter -> Scene.t -> unit
 [@@ocaml.toplevel_printer]
 (** size, lights and objects, numbered, one a line *)

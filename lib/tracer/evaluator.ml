@@ -122,7 +122,7 @@ let color t r =
 
 let pixel t ~x ~y =
   t.tally.primary <- t.tally.primary + 1;
-  Camera.aim t.prepared.scene.camera ~x ~y t.ray;
+  Camera.aim t.prepared.scene.camera ~x ~y ~dx:0.5 ~dy:0.5 t.ray;
   evaluate t
 
 let nearest_hit t r =

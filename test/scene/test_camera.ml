@@ -24,10 +24,95 @@ let test_corners () =
   (* x = -1 is one pixel further left *)
   check "outside" (-1, 0) (-2.5) 0.75
 
+let check_corners what camera expected =
+  let a, b, c, d = Camera.corners camera in
+  List.iter2
+    (Alcotest.check (Same.vec3_near 1e-15) what)
+    expected [ a; b; c; d ]
+
 let test_canvas () =
-  let low, high = Camera.canvas four_by_two in
-  Alcotest.check Same.vec3 "lower left" (v (-2.) (-1.5) 0.) low;
-  Alcotest.check Same.vec3 "upper right" (v 2. 1.5 0.) high
+  check_corners "not placed" four_by_two
+    [ v (-2.) (-1.5) 0.; v 2. (-1.5) 0.; v 2. 1.5 0.; v (-2.) 1.5 0. ];
+  (* from (5, 0, 1) towards -x, so that z is to the right *)
+  let viewpoint = Viewpoint.make_exn ~look_at:(v 0. 0. 1.) (v 5. 0. 1.) in
+  check_corners "placed"
+    (Camera.with_viewpoint viewpoint four_by_two)
+    [ v 3. (-1.5) (-1.); v 3. (-1.5) 3.; v 3. 1.5 3.; v 3. 1.5 (-1.) ]
+
+(* At 90 degrees the canvas is twice as wide as it is far away. *)
+let test_fov () =
+  let viewpoint = Viewpoint.make_exn ~look_at:(v 0. 0. 1.) (v 5. 0. 1.) in
+  let camera = Camera.of_fov ~width:40 ~height:10 ~fov:90. viewpoint in
+  let size { Camera.canvas_width; canvas_height; depth; _ } =
+    v canvas_width canvas_height depth
+  in
+  Alcotest.check Same.vec3 "the canvas" (v 10. 2.5 5.) (size camera);
+  check_corners "at the point looked at" camera
+    [ v 0. (-1.25) (-4.); v 0. (-1.25) 6.; v 0. 1.25 6.; v 0. 1.25 (-4.) ];
+  Alcotest.check Same.vec3 "in the picture's proportions, whatever its size"
+    (v 10. 5. 5.)
+    (size (Camera.with_size ~width:8 ~height:4 camera));
+  Alcotest.check Same.vec3 "under the same angle" (v 4. 1. 2.)
+    (size (Camera.with_viewpoint (Viewpoint.make_exn (v 0. 0. 2.)) camera));
+  List.iter
+    (fun fov ->
+      Expect.invalid (string_of_float fov) (fun () ->
+          Camera.of_fov ~width:40 ~height:10 ~fov viewpoint))
+    [ 0.; -1.; 180.; 5e-324; nan; infinity ]
+
+let fills_the_angle =
+  Property.holds "fov is the angle between the edges"
+    QCheck2.Gen.(
+      triple
+        (Generate.viewpoint Generate.everyday)
+        (float_range 0.1 179.9) (1 -- 100))
+    (fun (viewpoint, fov, width) ->
+      let camera = Camera.of_fov ~width ~height:1 ~fov viewpoint in
+      let edge dx =
+        (Ray.direction (Camera.ray_through camera ~x:0 ~y:0 ~dx ~dy:0.5)
+          :> Vec3.t)
+      in
+      let left = edge 0. and right = edge (float_of_int width) in
+      let angle =
+        2.
+        *. Float.atan2
+             (Vec3.length (Vec3.sub left right))
+             (Vec3.length (Vec3.add left right))
+      in
+      abs_float ((angle *. 180. /. Float.pi) -. fov) < 1e-7)
+
+(* The formulas of cameras before they could be placed. *)
+let unplaced { Camera.width; height; canvas_width; canvas_height; depth; _ } x
+    y =
+  let along extent count k =
+    (-.extent /. 2.)
+    +. (extent *. (float_of_int k +. 0.5) /. float_of_int count)
+  in
+  let dx = along canvas_width width x
+  and dy = along canvas_height height (height - 1 - y) in
+  let squared = (dx *. dx) +. (dy *. dy) +. (depth *. depth) in
+  let direction =
+    if squared > 1e-280 && squared < 1e280 then
+      let scale = 1. /. sqrt squared in
+      Vec3.make (dx *. scale) (dy *. scale) (depth *. scale)
+    else
+      let z_axis = dir 0. 0. 1. in
+      (Direction.of_vec3_or z_axis (Vec3.make dx dy depth) :> Vec3.t)
+  in
+  (Vec3.make 0. 0. (-.depth), direction)
+
+let same_bits =
+  Property.holds "rays of a camera that is not placed, bit for bit" ~count:2000
+    (Generate.camera Generate.extreme) (fun camera ->
+      Camera.is_placed camera
+      || List.for_all
+           (fun (x, y) ->
+             let ray = Camera.primary_ray camera ~x ~y in
+             let direction = (Ray.direction ray :> Vec3.t) in
+             let origin, direction' = unplaced camera x y in
+             compare (Ray.origin ray) origin = 0
+             && compare direction direction' = 0)
+           [ (0, 0); (camera.width - 1, camera.height - 1); (3, 1) ])
 
 let test_centre () =
   let odd = camera ~width:5 ~height:3 ~depth:7. () in
@@ -85,6 +170,9 @@ let suite =
     [
       Alcotest.test_case "corner pixels" `Quick test_corners;
       Alcotest.test_case "canvas" `Quick test_canvas;
+      Alcotest.test_case "fov" `Quick test_fov;
+      fills_the_angle;
+      same_bits;
       Alcotest.test_case "centre pixel" `Quick test_centre;
       Alcotest.test_case "with_size" `Quick test_with_size;
       Alcotest.test_case "scale" `Quick test_scale;

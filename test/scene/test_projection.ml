@@ -9,19 +9,41 @@ let camera =
 let vec = Vec3.make
 let point = Alcotest.(pair (float 1e-6) (float 1e-6))
 
+let pixels_and_lengths =
+  QCheck2.Gen.(triple (int_range 0 99) (int_range 0 79) (float_range 0.1 1e4))
+
+let is_seen_in camera x y point =
+  match Camera.project camera point with
+  | None -> false
+  | Some (u, v) ->
+      Float.abs (u -. (float_of_int x +. 0.5)) < 1e-6
+      && Float.abs (v -. (float_of_int y +. 0.5)) < 1e-6
+
 let inverse =
   Property.holds "a point on a primary ray is seen in its pixel"
     ~print:QCheck2.Print.(triple int int float)
-    QCheck2.Gen.(
-      triple (int_range 0 99) (int_range 0 79) (float_range 0.1 1e4))
+    pixels_and_lengths
     (fun (x, y, t) ->
-      match
-        Camera.project camera (Ray.at (Camera.primary_ray camera ~x ~y) t)
-      with
-      | None -> false
-      | Some (u, v) ->
-          Float.abs (u -. (float_of_int x +. 0.5)) < 1e-6
-          && Float.abs (v -. (float_of_int y +. 0.5)) < 1e-6)
+      is_seen_in camera x y (Ray.at (Camera.primary_ray camera ~x ~y) t))
+
+(* And one on the other side of the eye is not seen. *)
+let inverse_anywhere =
+  Property.holds "likewise of a camera anywhere" ~count:2000
+    ~print:(fun (viewpoint, (x, y, t)) ->
+      Printf.sprintf "(%d, %d) at %g: %s" x y t
+        (Property.show Viewpoint.pp viewpoint))
+    QCheck2.Gen.(
+      pair (Generate.viewpoint Generate.everyday) pixels_and_lengths)
+    (fun (viewpoint, (x, y, t)) ->
+      List.for_all
+        (fun camera ->
+          let ray = Camera.primary_ray camera ~x ~y in
+          is_seen_in camera x y (Ray.at ray t)
+          && Camera.project camera (Ray.at ray (-.t)) = None)
+        [
+          Camera.with_viewpoint viewpoint camera;
+          Camera.of_fov ~width:100 ~height:80 ~fov:70. viewpoint;
+        ])
 
 let test_behind () =
   let check name p =
@@ -67,6 +89,7 @@ let suite =
   ( "Projection",
     [
       inverse;
+      inverse_anywhere;
       Alcotest.test_case "behind the eye" `Quick test_behind;
       Alcotest.test_case "rays" `Quick test_rays;
     ] )

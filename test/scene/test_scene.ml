@@ -10,6 +10,7 @@ let () =
       Test_lobes.suite;
       Test_light.suite;
       Test_shadow_ray.suite;
+      Test_viewpoint.suite;
       Test_camera.suite;
       Test_projection.suite;
       Test_scenes.suite;

@@ -119,13 +119,35 @@ let light number =
         Light.directional ~intensity ~color ~direction:(d :> Vec3.t))
       (direction number)
 
-let scene ?(max_side = 12) number =
+let viewpoint number =
+  let make (eye, look_at, up) =
+    match Viewpoint.make ~look_at ~up eye with
+    | Ok viewpoint -> viewpoint
+    | Error _ | (exception Invalid_argument _) -> Viewpoint.before_origin 1.
+  in
+  map make (triple (vec3 number) (vec3 number) (vec3 number))
+
+let camera ?(max_side = 12) number =
   let size = positive number in
   let* width = 1 -- max_side
   and* height = 1 -- max_side
   and* canvas_width = size
   and* canvas_height = size
   and* depth = size
+  and* viewpoint = viewpoint number
+  and* fov = float_range 0.1 179.9
+  and* kind = 0 -- 3 in
+  let usual = Camera.make ~width ~height ~canvas_width ~canvas_height ~depth in
+  match kind with
+  | 0 -> pure (Camera.with_viewpoint viewpoint usual)
+  | 1 -> (
+      match Camera.of_fov ~width ~height ~fov viewpoint with
+      | camera -> pure camera
+      | exception Invalid_argument _ -> pure usual)
+  | _ -> pure usual
+
+let scene ?max_side number =
+  let* camera = camera ?max_side number
   and* background = color number
   and* ray_depth = 0 -- 6
   and* lights = list_size (0 -- 4) (light number)
@@ -133,6 +155,4 @@ let scene ?(max_side = 12) number =
     list_size (0 -- 6)
       (map2 (fun s f -> Object.make s f) (shape number) (surface number))
   in
-  pure
-    (Scene.make ~background ~ray_depth ~lights ~objects
-       (Camera.make ~width ~height ~canvas_width ~canvas_height ~depth))
+  pure (Scene.make ~background ~ray_depth ~lights ~objects camera)

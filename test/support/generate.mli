@@ -48,6 +48,8 @@ val surface : float Gen.t -> Surface.t Gen.t
 (** Mixes of up to three parts among them, nested up to three deep. *)
 
 val light : float Gen.t -> Light.t Gen.t
+val viewpoint : float Gen.t -> Viewpoint.t Gen.t
+val camera : ?max_side:int -> float Gen.t -> Camera.t Gen.t
 
 val scene : ?max_side:int -> float Gen.t -> Scene.t Gen.t
 (** Pictures of up to [max_side] pixels a side, 12 by default, up to four

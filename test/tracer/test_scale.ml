@@ -23,18 +23,27 @@ let scale_light k (light : Light.t) =
         ~intensity:(k *. k *. light.intensity)
         ~color:light.color ~position:(Vec3.scale k position)
 
-let scale k (scene : Scene.t) =
-  let { Camera.width; height; canvas_width; canvas_height; depth } =
-    scene.camera
+let scale_camera k (camera : Camera.t) =
+  let { Camera.width; height; canvas_width; canvas_height; depth; _ } = camera
+  and { Viewpoint.eye; look_at; up; _ } = camera.viewpoint in
+  let viewpoint =
+    Viewpoint.make_exn ~look_at:(Vec3.scale k look_at) ~up (Vec3.scale k eye)
   in
+  match camera.fov with
+  | Some fov -> Camera.of_fov ~width ~height ~fov viewpoint
+  | None ->
+      Camera.make ~width ~height ~canvas_width:(k *. canvas_width)
+        ~canvas_height:(k *. canvas_height) ~depth:(k *. depth)
+      |> Camera.with_viewpoint viewpoint
+
+let scale k (scene : Scene.t) =
   Scene.make ~background:scene.background ~ray_depth:scene.ray_depth
     ~lights:(List.map (scale_light k) scene.lights)
     ~objects:
       (List.map
          (fun (o : Object.t) -> Object.make (scale_shape k o.shape) o.surface)
          scene.objects)
-    (Camera.make ~width ~height ~canvas_width:(k *. canvas_width)
-       ~canvas_height:(k *. canvas_height) ~depth:(k *. depth))
+    (scale_camera k scene.camera)
 
 (* Rounding differs, so a level may. *)
 let same_picture a b =

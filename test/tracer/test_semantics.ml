@@ -78,6 +78,26 @@ let rec outward (shape : Shape.t) p =
       in
       unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
 
+(* {1 The camera} *)
+
+let cross (u : Vec3.t) (v : Vec3.t) =
+  Vec3.make
+    ((u.y *. v.z) -. (u.z *. v.y))
+    ((u.z *. v.x) -. (u.x *. v.z))
+    ((u.x *. v.y) -. (u.y *. v.x))
+
+let tangent degrees = Float.tan (degrees *. Float.pi /. 180.)
+
+(* W, H and D *)
+let canvas (camera : Camera.t) =
+  let { Viewpoint.eye; look_at; _ } = camera.viewpoint in
+  match camera.fov with
+  | None -> (camera.canvas_width, camera.canvas_height, camera.depth)
+  | Some fov ->
+      let d = length (look_at - eye) in
+      let w = 2. *. d *. tangent (fov /. 2.) in
+      (w, w *. float_of_int camera.height /. float_of_int camera.width, d)
+
 (* {1 Hits} *)
 
 (* All that count, each a distance and an object. *)
@@ -98,13 +118,13 @@ let nearest scene ray =
 let facing { d; _ } n = if dot d n > 0. then -n else n
 
 let offset (scene : Scene.t) (shape : Shape.t) p { o; _ } =
-  let { Camera.canvas_width; canvas_height; depth; _ } = scene.camera in
+  let w, h, d = canvas scene.camera in
   let absolute { Vec3.x; y; z } = abs_float x +. abs_float y +. abs_float z in
   let size =
     match shape with Sphere s -> s.radius | Plane _ | Placed _ -> 0.
   in
   Float.max
-    (1e-5 *. Float.min (Float.min canvas_width canvas_height) depth)
+    (1e-5 *. Float.min (Float.min w h) d)
     (ldexp (size +. absolute p +. absolute o) (-44))
 
 (* {1 Surfaces} *)
@@ -165,17 +185,19 @@ let rec trace (scene : Scene.t) left ray =
 
 (* {1 Pixels} *)
 
-let primary { Camera.width; height; canvas_width; canvas_height; depth } x y =
+let primary ({ Camera.width; height; _ } as camera) x y =
+  let { Viewpoint.eye; look_at; up; _ } = camera.viewpoint in
+  let f = unit (look_at - eye) in
+  let r = unit (cross up f) in
+  let u = cross f r in
+  let canvas_width, canvas_height, depth = canvas camera in
   let place extent count k =
     (extent *. (float_of_int k +. 0.5) /. float_of_int count) -. (extent /. 2.)
   in
-  let q =
-    Vec3.make
-      (place canvas_width width x)
-      (place canvas_height height (Int.sub (pred height) y))
-      0.
-  and o = Vec3.make 0. 0. (-.depth) in
-  { o; d = unit (q - o); rho = infinity }
+  let across = place canvas_width width x
+  and above = place canvas_height height (Int.sub (pred height) y) in
+  let q = eye + (depth * f) + (across * r) + (above * u) in
+  { o = eye; d = unit (q - eye); rho = infinity }
 
 let pixel (scene : Scene.t) ~x ~y =
   trace scene scene.ray_depth (primary scene.camera x y)

@@ -12,6 +12,7 @@ let () =
       Test_offset.suite;
       Test_acne.suite;
       Test_scale.suite;
+      Test_motion.suite;
       Test_semantics.suite;
       Test_any_scene.suite;
       Test_parallel_iter.suite;

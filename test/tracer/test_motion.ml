@@ -1,0 +1,54 @@
+(* A scene and its camera that are turned and moved together give the same
+   picture. *)
+
+open Raylab_geometry
+open Raylab_expression
+open Raylab_scene
+open Raylab_tracer
+open Test_support
+
+let motion =
+  QCheck2.Gen.(
+    map3
+      (fun axis degrees way ->
+        let sin = Degrees.sin degrees and cos = Degrees.cos degrees in
+        Similarity.compose
+          (Similarity.translated way)
+          (Similarity.rotated ~axis ~sin ~cos))
+      (Generate.direction Generate.everyday)
+      (float_range (-180.) 180.)
+      (Generate.vec3 Generate.everyday))
+
+let moved_camera motion (camera : Camera.t) =
+  let { Viewpoint.eye; look_at; up; _ } = camera.viewpoint in
+  let point = Similarity.point motion in
+  Camera.with_viewpoint
+    (Viewpoint.make_exn ~look_at:(point look_at)
+       ~up:(Similarity.direction motion up)
+       (point eye))
+    camera
+
+let moved motion (scene : Scene.t) =
+  let object_ (o : Object.t) =
+    Object.make (Shape.transformed motion o.shape) o.surface
+  in
+  Scene.make ~background:scene.background ~ray_depth:scene.ray_depth
+    ~lights:(List.map (Light.transformed motion) scene.lights)
+    ~objects:(List.map object_ scene.objects)
+    (moved_camera motion scene.camera)
+
+let near (a : Color.t) (b : Color.t) =
+  let near x y = abs_float (x -. y) <= 1e-6 *. (1. +. abs_float x) in
+  near a.r b.r && near a.g b.g && near a.b b.b
+
+let same =
+  Property.holds "the picture stays the same" ~count:300
+    ~print:(fun (scene, _) -> Property.show Scene.pp scene)
+    QCheck2.Gen.(pair (Generate.scene ~max_side:8 Generate.everyday) motion)
+    (fun (scene, motion) ->
+      let a = Prepared.make scene and b = Prepared.make (moved motion scene) in
+      List.for_all
+        (fun (x, y) -> near (Tracer.pixel a ~x ~y) (Tracer.pixel b ~x ~y))
+        (Any.pixels a))
+
+let suite = ("Motion", [ same ])
