@@ -26,16 +26,9 @@ let set header scope { Syntax.word; word_span; change } frame =
   | None -> header.seen <- (word, word_span) :: header.seen
 
 let finish header stop =
-  let is_missing name = not (List.mem_assoc name header.seen) in
-  match List.filter is_missing Settings.required with
-  | [] -> ()
-  | missing ->
-      Findings.error
-        (Check.findings header.check)
-        stop
-        (Printf.sprintf "the header lacks %s" (String.concat ", " missing))
-        ~advice:
-          "every scene starts with imWidth, imHeight, canvWidth, canvHeight \
-           and depth, each followed by a number"
+  let { check; seen; settings } = header in
+  Check_camera.tell (Check.findings check) ~seen ~stop;
+  if not (Check.failed check) then
+    Check_camera.tell_view (Check.findings check) ~seen settings
 
 let settings header = header.settings

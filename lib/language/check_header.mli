@@ -14,7 +14,8 @@ val set : t -> Scope.t -> Syntax.setting -> Check.frame -> unit
     been set before. *)
 
 val finish : t -> Span.t -> unit
-(** [finish header stop] tells at [stop] which settings are missing. *)
+(** [finish header stop] tells at [stop] which settings are missing, and which
+    contradict each other. *)
 
 val settings : t -> Settings.t
 (** [settings header] is what they say, as far as nothing was wrong. *)

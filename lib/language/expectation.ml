@@ -40,7 +40,8 @@ let rule whole before after =
   | ("scene" | "scene'"), _, _ ->
       expected "keyword"
         "a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
-         depth, bcolor, raydepth), or lights, objects, sphere or plane"
+         depth, eye, lookAt, up, fov, bcolor, raydepth), or lights, objects, \
+         sphere\nor plane"
   | "body", [ "LIGHTS"; _ ], _ | "simple_thing", [ "light" ], _ ->
       expected "light"
         "a light (directional or spherical), or the objects of the scene:\n\

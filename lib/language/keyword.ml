@@ -54,6 +54,22 @@ let settings : t list =
       [ ("number", "the distance from the eye to the canvas after depth, such \
                     as 4") ]
       "the distance from the eye to the canvas";
+    row "eye" EYE "EYE"
+      [ ("number", "the point at which the eye is after eye: three numbers, x \
+                    y z") ]
+      "the point from which one looks";
+    row "lookAt" LOOK_AT "LOOK_AT"
+      [ ("number", "the point in the middle of the picture after lookAt: three \
+                    numbers,\nx y z") ]
+      "the point at which one looks";
+    row "up" UP "UP"
+      [ ("number", "the direction that is up in the picture after up: three \
+                    numbers,\nsuch as 0 1 0") ]
+      "the direction that is up in the picture";
+    row "fov" FOV "FOV"
+      [ ("number", "the horizontal angle of view in degrees after fov, such as \
+                    60") ]
+      "the horizontal angle of view, instead of canvas and depth";
     row "bcolor" BCOLOR "BCOLOR" [ background ] "the colour of the background";
     row "bgcolor" BCOLOR "BCOLOR" [ background ] "the same as bcolor";
     row "raydepth" RAYDEPTH "RAYDEPTH"

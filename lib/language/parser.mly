@@ -44,6 +44,7 @@ let modifier change loc = { Syntax.change; span = span loc }
 %token IM_WIDTH "imWidth" IM_HEIGHT "imHeight"
 %token CANV_WIDTH "canvWidth" CANV_HEIGHT "canvHeight"
 %token DEPTH "depth" BCOLOR "bcolor" RAYDEPTH "raydepth"
+%token EYE "eye" LOOK_AT "lookAt" UP "up" FOV "fov"
 %token LIGHTS "lights" DIRECTIONAL "directional" SPHERICAL "spherical"
 %token OBJECTS "objects" SPHERE "sphere" PLANE "plane" GROUP "group"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
@@ -95,6 +96,10 @@ setting:
   | "canvWidth" n = atom { setting "canvWidth" $loc($1) (Settings.canv_width n) }
   | "canvHeight" n = atom { setting "canvHeight" $loc($1) (Settings.canv_height n) }
   | "depth" n = atom { setting "depth" $loc($1) (Settings.depth n) }
+  | "eye" p = vector { setting "eye" $loc($1) (Settings.eye p) }
+  | "lookAt" p = vector { setting "lookAt" $loc($1) (Settings.look_at p) }
+  | "up" v = vector { setting "up" $loc($1) (Settings.up v) }
+  | "fov" n = atom { setting "fov" $loc($1) (Settings.fov n) }
   | "raydepth" n = atom { setting "raydepth" $loc($1) (Settings.raydepth n) }
   | "bcolor" c = color { setting "bcolor" $loc($1) (Settings.bcolor c) }
 

@@ -1,3 +1,4 @@
+open Raylab_geometry
 open Raylab_scene
 open Written
 
@@ -7,6 +8,10 @@ type t = {
   canvas_width : float option;
   canvas_height : float option;
   depth : float option;
+  fov : float option;
+  eye : Vec3.t option;
+  look_at : Vec3.t option;
+  up : Vec3.t option;
   ray_depth : int option;
   background : Color.t option;
 }
@@ -20,29 +25,43 @@ let none =
     canvas_width = None;
     canvas_height = None;
     depth = None;
+    fov = None;
+    eye = None;
+    look_at = None;
+    up = None;
     ray_depth = None;
     background = None;
   }
 
-let required : string list =
-  [ "imWidth"; "imHeight"; "canvWidth"; "canvHeight"; "depth" ]
+let viewpoint { depth; eye; look_at; up; _ } =
+  let usual depth = (Viewpoint.before_origin depth).eye in
+  let eye = if Option.is_some eye then eye else Option.map usual depth in
+  Option.map (Viewpoint.make ?look_at ?up) eye
 
-let scene s ~files ~lights ~objects =
-  match s with
-  | {
-   width = Some width;
-   height = Some height;
-   canvas_width = Some canvas_width;
-   canvas_height = Some canvas_height;
-   depth = Some depth;
-   ray_depth;
-   background;
-  } ->
-      let camera =
-        Camera.make ~width ~height ~canvas_width ~canvas_height ~depth
-      in
+let camera s =
+  match (s, viewpoint s) with
+  | ( { width = Some width; height = Some height; fov = Some fov; _ },
+      Some (Ok viewpoint) ) ->
+      Some (Camera.of_fov ~width ~height ~fov viewpoint)
+  | ( {
+        width = Some width;
+        height = Some height;
+        canvas_width = Some canvas_width;
+        canvas_height = Some canvas_height;
+        depth = Some depth;
+        _;
+      },
+      Some (Ok viewpoint) ) ->
+      Some
+        (Camera.make ~width ~height ~canvas_width ~canvas_height ~depth
+        |> Camera.with_viewpoint viewpoint)
+  | _ -> None
+
+let scene ({ background; ray_depth; _ } as s) ~files ~lights ~objects =
+  match camera s with
+  | Some camera ->
       Scene.make camera ?background ?ray_depth ~files ~lights ~objects
-  | _ -> invalid_arg "Settings.scene: a setting is missing"
+  | None -> invalid_arg "Settings.scene: no camera"
 
 (* {1 Words} *)
 
@@ -61,6 +80,18 @@ let canv_height e =
   sets (length "canvHeight" e) (fun x s -> { s with canvas_height = Some x })
 
 let depth e = sets (length "depth" e) (fun x s -> { s with depth = Some x })
+
+let fov e =
+  sets (number Positive "fov" e) (fun x ->
+      if x >= 180. then refuse "fov must be less than 180 degrees"
+      else fun s -> { s with fov = Some x })
+
+let eye e = sets (vector "eye" e) (fun v s -> { s with eye = Some v })
+
+let look_at e =
+  sets (vector "lookAt" e) (fun v s -> { s with look_at = Some v })
+
+let up e = sets (direction "up" e) (fun v s -> { s with up = Some v })
 
 let raydepth e =
   sets (whole ~least:0 ~most:Scene.max_ray_depth "raydepth" e) (fun n s ->

@@ -1,10 +1,23 @@
 (** The words of the header. *)
 
 open Raylab_source
+open Raylab_geometry
 open Raylab_scene
 open Raylab_expression
 
-type t
+type t = private {
+  width : int option;
+  height : int option;
+  canvas_width : float option;
+  canvas_height : float option;
+  depth : float option;
+  fov : float option;
+  eye : Vec3.t option;
+  look_at : Vec3.t option;
+  up : Vec3.t option;
+  ray_depth : int option;
+  background : Color.t option;
+}
 (** The type for what the settings of a header say. *)
 
 val none : t
@@ -13,15 +26,21 @@ val none : t
 type change = (t -> t) Written.t
 (** The type for settings that are written: each changes what is known. *)
 
-val required : string list
-(** [required] is the settings that no header is without. *)
+val viewpoint : t -> (Viewpoint.t, Viewpoint.problem) result option
+(** [viewpoint settings] is where the eye is and where it looks; [None] if
+    neither the eye nor a depth is set. *)
+
+val camera : t -> Camera.t option
+(** [camera settings] is the camera of these settings; [None] if one is missing
+    or there is no {!viewpoint}.
+
+    Raises [Invalid_argument] if the canvas leaves the range of numbers. *)
 
 val scene :
   t -> files:Files.t -> lights:Light.t list -> objects:Object.t list -> Scene.t
-(** [scene settings ~files ~lights ~objects] is the scene of these settings,
-    the {!required} among them.
+(** [scene settings ~files ~lights ~objects] is the scene of these settings.
 
-    Raises [Invalid_argument] if one of them is missing. *)
+    Raises [Invalid_argument] if they make no {!camera}. *)
 
 (** {1 Words} *)
 
@@ -30,5 +49,9 @@ val im_height : Expression.t -> change
 val canv_width : Expression.t -> change
 val canv_height : Expression.t -> change
 val depth : Expression.t -> change
+val fov : Expression.t -> change
+val eye : Expression.t -> change
+val look_at : Expression.t -> change
+val up : Expression.t -> change
 val raydepth : Expression.t -> change
 val bcolor : Expression.t -> change

@@ -34,14 +34,19 @@ let rows =
        resolution size image-size picture-size" );
     ( "canvWidth",
       "width canvas canvas-width canvas-size screen screen-width viewport \
-       viewport-width window film fov field-of-view angle-of-view angle" );
+       viewport-width window film" );
     ( "canvHeight",
       "height canvas canvas-height canvas-size screen screen-height viewport \
        viewport-height window film" );
-    ( "depth",
-      "camera eye viewer viewpoint observer camera-position eye-position \
-       location distance eye-distance focal-length focal focus zoom lens fov \
-       field-of-view angle-of-view angle" );
+    ("depth", "distance eye-distance focal-length focal focus zoom lens");
+    ( "eye",
+      "camera viewer viewpoint observer camera-position eye-position location \
+       look-from from" );
+    ( "lookAt",
+      "target look-at-point view-point interest point-of-interest \
+       camera-target look direction" );
+    ("up", "up-vector view-up vup upward upwards");
+    ("fov", "field-of-view horizontal-fov hfov angle-of-view view-angle angle");
     ( "raydepth",
       "max-depth maximum-depth recursion recursion-depth recursion-limit \
        max-recursion trace-depth trace-level max-trace-level bounces \

@@ -9,6 +9,7 @@ let check ~acceptable word expected =
 let settings =
   Parser.
     [ IM_WIDTH; IM_HEIGHT; CANV_WIDTH; CANV_HEIGHT; DEPTH; BCOLOR; RAYDEPTH ]
+  @ Parser.[ EYE; LOOK_AT; UP; FOV ]
   @ Parser.[ LIGHTS; OBJECTS; SPHERE; PLANE ]
 
 let lights : Parser.token list = [ DIRECTIONAL; SPHERICAL; OBJECTS; SPHERE ]
@@ -25,7 +26,10 @@ let test_trade () =
   all ~acceptable:lights "spherical" [ "point"; "bulb"; "POINT_LIGHT" ];
   all ~acceptable:lights "directional" [ "sun"; "distant-light" ];
   all ~acceptable:settings "bcolor" [ "background"; "sky"; "backgroundColor" ];
-  all ~acceptable:settings "depth" [ "camera"; "eye"; "distance" ];
+  all ~acceptable:settings "depth" [ "distance" ];
+  all ~acceptable:settings "eye" [ "camera"; "viewer" ];
+  all ~acceptable:settings "lookAt" [ "look_at"; "target" ];
+  all ~acceptable:settings "fov" [ "angle"; "field-of-view" ];
   all ~acceptable:settings "raydepth" [ "max_trace_level"; "bounces" ];
   all ~acceptable:settings "sphere" [ "ball" ];
   all ~acceptable:settings "plane" [ "floor"; "ground" ]
