@@ -31,12 +31,14 @@ let sun_distance = 1e6
 let fade = 1e-3
 
 let write_camera channel (camera : Camera.t) =
+  let { Camera.canvas_width; canvas_height; depth; viewpoint; _ } = camera in
+  let along k (d : Direction.t) = vector (Vec3.scale k (d :> Vec3.t)) in
   Printf.fprintf channel
-    "camera { location <0,0,%s> direction <0,0,%s>\n\
-    \         right <%s,0,0> up <0,%s,0> }\n"
-    (number (-.camera.depth)) (number camera.depth)
-    (number camera.canvas_width)
-    (number camera.canvas_height)
+    "camera { location %s direction %s\n         right %s up %s }\n"
+    (vector viewpoint.eye)
+    (along depth viewpoint.forward)
+    (along canvas_width viewpoint.right)
+    (along canvas_height viewpoint.above)
 
 let write_light channel camera (light : Light.t) =
   let scale = Camera.scale camera in

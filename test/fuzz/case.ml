@@ -135,23 +135,39 @@ let light number random =
     Printf.sprintf "directional %s %s %s\n" intensity color
       (direction number random)
 
-let scene_of number random =
+(* How the eye looks: one camera of three is placed. *)
+let view number random =
   let size () =
     if one_in random 3 then positive number random
     else choose random [| "1"; "2"; "5" |]
   in
+  let placed () =
+    let setting word =
+      if one_in random 2 then "" else word ^ vector number random
+    in
+    "eye " ^ vector number random ^ setting " lookAt " ^ setting " up "
+  and canvas () =
+    Printf.sprintf "canvWidth %s canvHeight %s depth %s " (size ()) (size ())
+      (size ())
+  in
+  match up_to random 5 with
+  | 0 -> "fov " ^ choose random [| "1"; "60"; "179" |] ^ " " ^ placed ()
+  | 1 -> canvas () ^ placed ()
+  | _ -> canvas ()
+
+let scene_of number random =
   let pixels () =
     if one_in random 100 then choose random strange
     else string_of_int (1 + up_to random 3)
   in
   Printf.sprintf
-    "imWidth %s imHeight %s canvWidth %s canvHeight %s depth %s\n\
+    "imWidth %s imHeight %s %s\n\
      bcolor %s raydepth %d\n\
      lights\n\
      %s\n\
      objects\n\
      %s\n"
-    (pixels ()) (pixels ()) (size ()) (size ()) (size ()) (color number random)
+    (pixels ()) (pixels ()) (view number random) (color number random)
     (up_to random 7)
     (some random 4 (light number))
     (some random 6 (object_ number))

@@ -146,6 +146,7 @@ Words
   
   Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
   are with_background, with_lights, with_objects and with_camera.
+  looking (vec 3. 2. (-4.)) (vec 0. 0. 0.) camera is a camera elsewhere.
   $ sed -n 's/^val \([a-z]*\) .*/\1/p' ../../lib/toplevel/explore.mli | sort > words
   $ sed '/^$/,$d; s/ .*//' help | sort | diff - words
   $ awk 'length > 79' help
@@ -417,6 +418,7 @@ the next phrase is read.
   $ printf 'nothing;;\n1 + 1' | raylab repl
   Line 1, characters 0-7:
   Error: Unbound value "nothing"
+  Hint: Did you mean "looking"?
   - : int = 2
   $ echo 'why 2 2' | raylab repl three.scene > /dev/full
   raylab: standard output: No space left on device
