@@ -10,21 +10,20 @@ open Test_support
 let motion =
   QCheck2.Gen.(
     map3
-      (fun axis degrees way ->
-        let sin = Degrees.sin degrees and cos = Degrees.cos degrees in
-        Similarity.compose
-          (Similarity.translated way)
-          (Similarity.rotated ~axis ~sin ~cos))
+      (fun axis angle way ->
+        let sin = Degrees.sin angle and cos = Degrees.cos angle in
+        Change.of_modifiers
+          [ Rotated { axis; angle; sin; cos }; Translated way ])
       (Generate.direction Generate.everyday)
       (float_range (-180.) 180.)
       (Generate.vec3 Generate.everyday))
 
 let moved_camera motion (camera : Camera.t) =
   let { Viewpoint.eye; look_at; up; _ } = camera.viewpoint in
-  let point = Similarity.point motion in
+  let affine = Change.affine motion in
+  let point = Affine.point affine in
   Camera.with_viewpoint
-    (Viewpoint.make_exn ~look_at:(point look_at)
-       ~up:(Similarity.direction motion up)
+    (Viewpoint.make_exn ~look_at:(point look_at) ~up:(Affine.vector affine up)
        (point eye))
     camera
 
