@@ -76,6 +76,8 @@ let run action =
     | () -> Exit_code.ok
     | exception Ended code -> code
     | exception Out_of_memory -> failed "out of memory"
+    | exception Raylab_tracer.Chain.Too_long { ray_depth } ->
+        failed (Raylab_tracer.Chain.too_long ~ray_depth)
     | exception Stack_overflow -> failed "out of memory for the stack"
     | exception failure ->
         failed ("an error of raylab itself: " ^ Printexc.to_string failure)

@@ -19,6 +19,12 @@ let foreign sources encoding =
     (Printf.sprintf "the text is %s, and a scene is UTF-8" encoding)
     ~advice:"save it as UTF-8"
 
+(* What nests has a limit, for which JavaScript's stack may still be small. *)
+let too_deep sources =
+  Scene_error.whole sources
+    "the scene is nested too deep for the stack that there is"
+    ~advice:"nest blocks, brackets and calls less deep"
+
 let parse ?time sources =
   let main = Sources.file sources 0 in
   if Sources.size sources > max_size then too_large (Sources.name sources 0)
@@ -26,6 +32,7 @@ let parse ?time sources =
     match (read_scene ?time sources main, Encoding.foreign main.text) with
     | Error _, Some encoding -> Error [ foreign sources encoding ]
     | result, _ -> result
+    | exception Stack_overflow -> Error [ too_deep sources ]
 
 let without_extension path =
   match String.lowercase_ascii (Filename.extension path) with

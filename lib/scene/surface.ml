@@ -134,9 +134,14 @@ let rec add_colors found = function
 
 let colors surface = List.rev (add_colors [] surface)
 
+(* Without "%a", which takes so much of the stack that the deepest mixes do not
+   fit on that of JavaScript. *)
 let rec pp_with pp_number ppf surface =
   let pp_weighted (weight, surface) =
-    Format.fprintf ppf " %a %a" pp_number weight (pp_with pp_number) surface
+    Format.pp_print_char ppf ' ';
+    pp_number ppf weight;
+    Format.pp_print_char ppf ' ';
+    pp_with pp_number ppf surface
   and pp_parameter (_, parameter) =
     Format.fprintf ppf " %a" (Parameter.pp_with pp_number) parameter
   in

@@ -110,11 +110,17 @@ and shade t left lobes at =
 
 let evaluate t =
   let left = t.prepared.scene.ray_depth in
-  tell_opened t Primary left;
-  trace t left;
-  let color = Raw_color.to_color t.color in
-  (match t.observe with None -> () | Some observe -> observe (Done color));
-  color
+  match
+    tell_opened t Primary left;
+    trace t left
+  with
+  | () ->
+      let color = Raw_color.to_color t.color in
+      (match t.observe with
+      | None -> ()
+      | Some observe -> observe (Done color));
+      color
+  | exception Stack_overflow -> raise (Chain.Too_long { ray_depth = left })
 
 let color t r =
   load t r;

@@ -19,10 +19,15 @@ val tally : t -> Tally.t
 
 val color : t -> Ray.t -> Color.t
 (** [color t r] is the colour of [r], with the scene's ray depth. It is not
-    counted as a primary ray. *)
+    counted as a primary ray.
+
+    Raises {!Chain.Too_long} if the chain of mirrored rays does not fit on the
+    stack. [t] can then be asked for other rays. *)
 
 val pixel : t -> x:int -> y:int -> Color.t
-(** [pixel t ~x ~y] is the colour of the primary ray of pixel [(x, y)]. *)
+(** [pixel t ~x ~y] is the colour of the primary ray of pixel [(x, y)].
+
+    Raises {!Chain.Too_long} like {!color}. *)
 
 val nearest_hit : t -> Ray.t -> Hit.t option
 (** [nearest_hit t r] is the first hit of [r], if there is one. *)

@@ -1,7 +1,9 @@
 (** From a scene to a picture, over domains.
 
     The picture is the same, byte for byte, whatever the number of domains:
-    each pixel is computed by one of them, from nothing but the scene. *)
+    each pixel is computed by one of them, from nothing but the scene. An
+    exception on any of them, such as {!Chain.Too_long}, ends the work on all,
+    and is raised in place of a picture. *)
 
 type rows = { first : int; last : int }
 (** A band of rows, both ends included, counted from 0 at the top. *)

@@ -12,7 +12,8 @@
     gives that the surface faces and nothing blocks.
 
     These functions make an {!Evaluator} for each question; who asks many times
-    keeps one. *)
+    keeps one. Where a chain of mirrored rays does not fit on the stack, those
+    that follow it raise {!Chain.Too_long}. *)
 
 open Raylab_geometry
 open Raylab_scene

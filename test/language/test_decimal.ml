@@ -12,8 +12,9 @@ let same text =
 
 let check text = Alcotest.(check bool) text true (same text)
 
-(* The edges of the fast way: 15 and 16 digits, 22 and 23 decimals, leading
-   zeros, which count for nothing, and both zeros. *)
+(* The edges of the fast way: 9 and 10 digits, 15 and 16, 22 and 23 decimals,
+   leading zeros, which count for nothing, and both zeros. 2^32 and 2^31 + 1 are
+   other numbers in 32 bits. *)
 let test_edges () =
   List.iter check
     [
@@ -26,6 +27,15 @@ let test_edges () =
       "2e-3";
       "0.1";
       "-0.25";
+      "999999999";
+      "9999999999";
+      "0.999999999";
+      "1.0000000000";
+      "2147483649";
+      "4294967296";
+      "42.949672960";
+      "429496729600000";
+      "0.123456789012";
       "999999999999999";
       "9999999999999999";
       "0.999999999999999";

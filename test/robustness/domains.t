@@ -17,17 +17,17 @@ it is. That ends all of them, and no picture is there, new or with a hole.
   >     echo "[$?]"
   >   done
   > done
-  raylab: out of memory for the stack
+  raylab: a chain of mirrored rays is too long for the stack that there is: make raydepth, which is 1000000, smaller
   [125]
-  raylab: out of memory for the stack
+  raylab: a chain of mirrored rays is too long for the stack that there is: make raydepth, which is 1000000, smaller
   [125]
-  raylab: out of memory for the stack
+  raylab: a chain of mirrored rays is too long for the stack that there is: make raydepth, which is 1000000, smaller
   [125]
-  raylab: out of memory for the stack
+  raylab: a chain of mirrored rays is too long for the stack that there is: make raydepth, which is 1000000, smaller
   [125]
-  raylab: out of memory for the stack
+  raylab: a chain of mirrored rays is too long for the stack that there is: make raydepth, which is 1000000, smaller
   [125]
-  raylab: out of memory for the stack
+  raylab: a chain of mirrored rays is too long for the stack that there is: make raydepth, which is 1000000, smaller
   [125]
   $ cat old.bmp
   older

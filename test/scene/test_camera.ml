@@ -149,7 +149,7 @@ let test_invalid () =
     (fun bad ->
       Expect.invalid "width" (fun () -> camera ~width:bad ());
       Expect.invalid "height" (fun () -> camera ~height:bad ()))
-    [ 0; -1; Camera.max_size + 1; min_int; max_int ];
+    [ 0; -1; Camera.max_size + 1; min_int ];
   Alcotest.(check int)
     "largest" 2147483647
     (camera ~width:Camera.max_size ~height:Camera.max_size ()).width

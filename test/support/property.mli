@@ -8,7 +8,8 @@ val holds :
   ('a -> bool) ->
   unit Alcotest.test_case
 (** [holds name gen property] is the test that [property] is true of [count]
-    values, 500 by default, of [gen]. Every run takes the same values. *)
+    values, 500 by default, of [gen]. Every run takes the same values. In
+    JavaScript a tenth of them has to do. *)
 
 val show : (Format.formatter -> 'a -> unit) -> 'a QCheck2.Print.t
 (** [show pp] is what [pp] prints, for [print]. *)

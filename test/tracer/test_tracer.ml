@@ -15,8 +15,6 @@ let () =
       Test_motion.suite;
       Test_semantics.suite;
       Test_any_scene.suite;
-      Test_parallel_iter.suite;
-      Test_parallel_failures.suite;
       Test_render.suite;
       Test_tally.suite;
     ]

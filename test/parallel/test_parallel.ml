@@ -1,0 +1,1 @@
+let () = Alcotest.run "parallel" [ Test_iter.suite; Test_failures.suite ]
