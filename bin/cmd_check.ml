@@ -2,8 +2,8 @@ open Cmdliner
 open Raylab_scene
 open Raylab_language
 
-let check path =
-  match Scene_file.load path with
+let check ~allow path =
+  match Scene_file.load ~access:(Raylab_disk.Disk.access ~allow) path with
   | Ok scene ->
       List.iter
         (Command.line "%s: warning: %s" (Raylab_source.Printable.text path))
@@ -13,9 +13,9 @@ let check path =
       List.iter Command.print_error errors;
       false
 
-let check_all paths () =
+let check_all allow paths () =
   (* every scene is read, also after one in error *)
-  let right = List.map check paths in
+  let right = List.map (check ~allow) paths in
   if not (List.for_all Fun.id right) then
     raise (Command.Ended Exit_code.scene_error)
 
@@ -34,4 +34,4 @@ let cmd =
   in
   Cmd.v
     (Command.info "check" ~doc:"report the errors and warnings of scenes" man)
-    (Command.run Term.(const check_all $ scenes))
+    (Command.run Term.(const check_all $ Options.allow $ scenes))

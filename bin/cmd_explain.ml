@@ -9,6 +9,7 @@ type form = Text | Json | Steps
 
 type options = {
   scene : string;
+  allow : string list;
   pixels : (int * int) list;
   view : Options.view;
   form : form;
@@ -92,7 +93,7 @@ let save_svg path text =
 
 let explain options () =
   check_svg options;
-  let written = Command.load_scene options.scene in
+  let written = Command.load_scene ~allow:options.allow options.scene in
   let scene = Options.adjust options.view written in
   List.iter (check_pixel scene.camera) options.pixels;
   Options.warn options.view written;
@@ -162,8 +163,12 @@ let options =
     in
     value & opt (some string) None & info [ "svg" ] ~docv:"FILE" ~doc
   in
-  let make scene pixels view form svg = { scene; pixels; view; form; svg } in
-  Term.(const make $ Command.scene_arg $ pixels $ Options.view $ form $ svg)
+  let make scene allow pixels view form svg =
+    { scene; allow; pixels; view; form; svg }
+  in
+  Term.(
+    const make $ Command.scene_arg $ Options.allow $ pixels $ Options.view
+    $ form $ svg)
 
 let cmd =
   let man =

@@ -2,6 +2,7 @@ open Cmdliner
 open Raylab_parallel
 open Raylab_scene
 open Raylab_source
+open Raylab_language
 open Raylab_tracer
 open Raylab_picture
 open Raylab_band
@@ -11,6 +12,7 @@ type show = Never | If_there_is_a_display | Asked_for
 
 type options = {
   scene : string;
+  allow : string list;
   view : Options.view;
   out : string option;
   format : Picture_file.format option;
@@ -127,7 +129,10 @@ let show options target scene picture ~seconds =
   if wanted then
     let load () =
       if Scene_path.is_stream options.scene then Ok scene.Prepared.scene
-      else Window.load options.scene ~adjust:(Options.adjust options.view) ()
+      else
+        Window.load ~allow:options.allow options.scene
+          ~adjust:(Options.adjust options.view)
+          ()
     in
     match
       Window.show ?domains:options.domains ?rows:options.rows ~output
@@ -143,7 +148,9 @@ let render options () =
   let path = path options in
   let target = target path in
   let format = format options path in
-  let sources, written = Command.read_scene options.scene in
+  let { Scene_file.sources; _ }, written =
+    Command.read_scene ~allow:options.allow options.scene
+  in
   let scene = Options.adjust options.view written in
   check_rows options scene.camera;
   check_picture format options target scene.camera;
@@ -226,12 +233,12 @@ let options show =
     in
     value & flag & info [ "q"; "quiet" ] ~doc
   in
-  let make scene view out format domains rows show stats quiet =
-    { scene; view; out; format; domains; rows; show; stats; quiet }
+  let make scene allow view out format domains rows show stats quiet =
+    { scene; allow; view; out; format; domains; rows; show; stats; quiet }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ Output.wanted
-    $ Options.domains $ rows $ show $ stats $ quiet)
+    const make $ Command.scene_arg $ Options.allow $ Options.view $ out
+    $ Output.wanted $ Options.domains $ rows $ show $ stats $ quiet)
 
 let default_show =
   let either = function Never -> If_there_is_a_display | show -> show in

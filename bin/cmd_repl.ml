@@ -5,7 +5,7 @@ open Raylab_picture
 (* utop needs bytecode, and raylab is native code. *)
 let prompt = "raylab-utop"
 
-let repl scene script () =
+let repl scene script allow () =
   let scene, script =
     match (scene, script) with
     | Some script, None when Filename.check_suffix script ".ml" ->
@@ -22,7 +22,9 @@ let repl scene script () =
   let program = Filename.concat (Filename.dirname here) prompt in
   let argument = Option.value ~default:"" in
   Unix.putenv Native.variable here;
-  try Unix.execv program [| program; argument scene; argument script |]
+  try
+    Unix.execv program
+      (Array.of_list (program :: argument scene :: argument script :: allow))
   with Unix.Unix_error (error, _, _) ->
     Command.say "cannot run %s, which belongs beside %s: %s%s" program here
       (Unix.error_message error)
@@ -85,4 +87,4 @@ let cmd =
   in
   Cmd.v
     (Command.info "repl" ~doc:"explore a scene at OCaml's prompt" ~exits man)
-    (Command.run Term.(const repl $ scene $ script))
+    (Command.run Term.(const repl $ scene $ script $ Options.allow))

@@ -1,11 +1,11 @@
 open Cmdliner
 open Raylab_scene
-open Raylab_source
 open Raylab_picture
 open Raylab_slurm
 
 type options = {
   scene : string;
+  allow : string list;
   view : Options.view;
   out : string;
   bands : int;
@@ -87,34 +87,21 @@ let submit folder =
   | _, WEXITED 0 -> ()
   | _ -> Command.write_error (script ^ " has failed; it may be run again")
 
-(* Names in the folder of the job: what the scene names relative to itself is
-   there under the same relative name. *)
-let files sources =
-  let beside main path =
-    let folder = Filename.concat (Filename.dirname main) "" in
-    if String.starts_with ~prefix:folder path then
-      let n = String.length folder in
-      String.sub path n (String.length path - n)
-    else path
-  in
-  match Sources.files sources with
-  | [] -> []
-  | main :: others ->
-      let named { Sources.path; text; _ } = (beside main.path path, text) in
-      (Job.scene, main.text) :: List.map named others
-
 let slurm options () =
   let format = check_out options in
   let out = absolute options.out in
   check_place options.out;
-  let sources, written = Command.read_scene options.scene in
+  let reading, written =
+    Command.read_scene ~allow:options.allow options.scene
+  in
   let scene = Options.adjust options.view written in
   check_bands options scene.camera;
   check_whole format scene.camera;
   Options.warn options.view written;
   let folder = Filename.remove_extension out ^ ".slurm" in
-  let job = job options ~out scene.camera in
-  or_write_error (Folder.write folder ~files:(files sources) job);
+  let job = job options ~out scene.camera
+  and files = Copies.make reading.sources reading.inclusions in
+  or_write_error (Folder.write folder ~files job);
   if options.submit then submit folder
   else
     Command.say "wrote %s; to submit it, run %s" folder (Folder.submit folder)
@@ -152,23 +139,24 @@ let options =
     let doc = "Submit the job as well." in
     value & flag & info [ "submit" ] ~doc
   in
-  let make scene view out bands cores submit =
-    { scene; view; out; bands; cores; submit }
+  let make scene allow view out bands cores submit =
+    { scene; allow; view; out; bands; cores; submit }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ bands $ cores
-    $ submit)
+    const make $ Command.scene_arg $ Options.allow $ Options.view $ out $ bands
+    $ cores $ submit)
 
 let cmd =
   let man =
     [
       `S Manpage.s_description;
       `P
-        "Writes a job for Slurm: a folder with a copy of $(i,SCENE) and three \
-         scripts, $(b,bands.sbatch), a job array that renders a band a task, \
-         $(b,join.sbatch), which joins them, and $(b,submit), which submits \
-         both. They are made to be read, and may be edited. All nodes must \
-         see the folder and raylab under the same paths.";
+        "Writes a job for Slurm: a folder with a copy of $(i,SCENE), and of \
+         all that it includes, and three scripts, $(b,bands.sbatch), a job \
+         array that renders a band a task, $(b,join.sbatch), which joins \
+         them, and $(b,submit), which submits both. They are made to be read, \
+         and may be edited. All nodes must see the folder and raylab under \
+         the same paths.";
       `P
         "A band that fails is tried again, and so is one whose node is lost. \
          When the job is submitted again, only the bands that are missing are \

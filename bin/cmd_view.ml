@@ -5,6 +5,7 @@ open Raylab_window
 
 type options = {
   scene : string;
+  allow : string list;
   view : Options.view;
   out : string option;
   domains : int option;
@@ -16,7 +17,8 @@ let adjust { view; no_lines; _ } scene =
   Options.adjust view (if no_lines then Scene.without_places scene else scene)
 
 let load ?watch options =
-  Window.load options.scene ?watch ~adjust:(adjust options)
+  Window.load ~allow:options.allow options.scene ?watch
+    ~adjust:(adjust options)
 
 let first ?watch options =
   if options.watch then
@@ -24,11 +26,11 @@ let first ?watch options =
       Options.warn options.view scene;
       adjust options scene
     in
-    match Window.load options.scene ?watch ~adjust () with
+    match Window.load ~allow:options.allow options.scene ?watch ~adjust () with
     | Ok scene -> View.Scene scene
     | Error message -> Error message
   else
-    let written = Command.load_scene options.scene in
+    let written = Command.load_scene ~allow:options.allow options.scene in
     let scene = adjust options written in
     match Window.check_size scene with
     | Ok () ->
@@ -85,12 +87,12 @@ let options =
     (* for the prompt, whose scene may come from no file *)
     Arg.(value & flag & info [ "no-lines" ] ~docs:Manpage.s_none)
   in
-  let make scene view out domains watch no_lines =
-    { scene; view; out; domains; watch; no_lines }
+  let make scene allow view out domains watch no_lines =
+    { scene; allow; view; out; domains; watch; no_lines }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.view $ out $ Options.domains
-    $ watch $ no_lines)
+    const make $ Command.scene_arg $ Options.allow $ Options.view $ out
+    $ Options.domains $ watch $ no_lines)
 
 let cmd =
   let man =

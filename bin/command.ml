@@ -54,11 +54,12 @@ let scene_or_errors = function
       List.iter print_error errors;
       raise (Ended Exit_code.scene_error)
 
-let read_scene path =
-  let { Scene_file.sources; scene } = Scene_file.read path in
-  (sources, scene_or_errors scene)
+let read_scene ~allow path =
+  let access = Raylab_disk.Disk.access ~allow in
+  let reading = Scene_file.read ~access path in
+  (reading, scene_or_errors reading.scene)
 
-let load_scene path = scene_or_errors (Scene_file.load path)
+let load_scene ~allow path = snd (read_scene ~allow path)
 
 let is_same_file a b =
   match (Unix.stat a, Unix.stat b) with

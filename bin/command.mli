@@ -37,13 +37,17 @@ val refuse : string list -> 'a
 val scene_arg : string Cmdliner.Term.t
 (** [scene_arg] is the positional argument SCENE. *)
 
-val load_scene : string -> Raylab_scene.Scene.t
-(** [load_scene path] is the scene at [path], or it prints what is wrong with
-    it on standard error and ends the program. *)
+val load_scene : allow:string list -> string -> Raylab_scene.Scene.t
+(** [load_scene ~allow path] is the scene at [path], which may include files in
+    the folders [allow], too; or it prints what is wrong with it on standard
+    error and ends the program. *)
 
-val read_scene : string -> Raylab_source.Sources.t * Raylab_scene.Scene.t
-(** [read_scene path] is likewise all files of the scene at [path], and the
-    scene. *)
+val read_scene :
+  allow:string list ->
+  string ->
+  Raylab_language.Scene_file.reading * Raylab_scene.Scene.t
+(** [read_scene ~allow path] is likewise all files of the scene at [path], and
+    the scene. *)
 
 val is_same_file : string -> string -> bool
 (** [is_same_file a b] is whether there is one file that both paths lead to. *)

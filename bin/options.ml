@@ -82,6 +82,23 @@ let warn view { Scene.camera; _ } =
             (Proportions.fitting_height sized)
       | _ -> ())
 
+let folder =
+  let parse text =
+    match Sys.is_directory text with
+    | true -> Ok text
+    | false -> Error (Printf.sprintf "'%s' is not a folder" text)
+    | exception Sys_error _ -> Error (Printf.sprintf "there is no '%s'" text)
+  in
+  conv parse ~docv:"DIR" Format.pp_print_string
+
+let allow =
+  let doc =
+    "Files that $(i,SCENE) includes may also be in the folder $(docv) or \
+     below it, and not only in that of $(i,SCENE). It may be given several \
+     times."
+  in
+  Arg.(value & opt_all folder [] & info [ "allow" ] ~docv:"DIR" ~doc)
+
 let number_of_domains =
   let parse text =
     match natural text with

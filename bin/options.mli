@@ -25,6 +25,12 @@ val warn : view -> Raylab_scene.Scene.t -> unit
 val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
 (** [adjust view scene] is [scene] as the options want it. *)
 
+(** {1 Which files} *)
+
+val allow : string list Term.t
+(** [allow] is option --allow: folders that files may be in that the scene
+    names. *)
+
 (** {1 How it is computed} *)
 
 val domains : int option Term.t

@@ -12,12 +12,15 @@ let check_size (scene : Scene.t) =
   let { Camera.width; height; _ } = scene.camera in
   Picture_file.check_size Bmp ~width ~height
 
-let load path ?watch ~adjust () =
-  let { Scene_file.sources; scene } = Scene_file.read path in
-  let follow watch =
-    Watch.follow watch
-      (List.map (fun file -> file.Sources.path) (Sources.files sources))
+let load ~allow path ?watch ~adjust () =
+  let access = Raylab_disk.Disk.access ~allow in
+  let { Scene_file.sources; missing; scene; _ } =
+    Scene_file.read ~access path
   in
+  let paths =
+    List.map (fun file -> file.Sources.path) (Sources.files sources)
+  in
+  let follow watch = Watch.follow watch (paths @ missing) in
   Option.iter follow watch;
   match scene with
   | Ok scene ->

@@ -9,14 +9,15 @@ val check_size : Scene.t -> (unit, string) result
     that says why not. *)
 
 val load :
+  allow:string list ->
   string ->
   ?watch:Watch.t ->
   adjust:(Scene.t -> Scene.t) ->
   unit ->
   (Scene.t, string) result
-(** [load path ~watch ~adjust ()] is [adjust] of the scene at [path], or the
-    text of all that is wrong with it or with its size. [watch] then follows
-    all files that were read. *)
+(** [load ~allow path ~watch ~adjust ()] is [adjust] of the scene at [path], or
+    the text of all that is wrong with it or with its size. [watch] then
+    follows all files that were read, or could not be. *)
 
 val source :
   ?out:string ->

@@ -51,6 +51,8 @@ let () =
   Sys.set_signal Sys.sigxfsz Signal_ignore;
   let scene = argument 1 in
   let script = argument 2 in
+  let given = Array.to_list Sys.argv in
+  Session.allow (List.filteri (fun k _ -> k > 2) given);
   Loader.install ();
   Prompt.prepare ();
   match script with

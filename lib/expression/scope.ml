@@ -30,11 +30,14 @@ let start report =
 
 let key = String.lowercase_ascii
 
+let add scope name binding =
+  { scope with names = Names.add (key name) binding scope.names }
+
 let bind scope ?(is_defined = true) name span =
   let slot = scope.room.size in
   scope.room.size <- slot + 1;
   let binding = { level = scope.level; slot; span; is_defined } in
-  ({ scope with names = Names.add (key name) binding scope.names }, binding)
+  (add scope name binding, binding)
 
 let enter scope = { scope with level = scope.level + 1; room = { size = 0 } }
 let size scope = scope.room.size

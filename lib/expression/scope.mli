@@ -25,6 +25,10 @@ val start : report -> t
 val bind : t -> ?is_defined:bool -> string -> Span.t -> t * binding
 (** [bind scope name span] knows [name] as well, in a new slot. *)
 
+val add : t -> string -> binding -> t
+(** [add scope name binding] knows [name] as well, which another scope of the
+    same frame has bound. *)
+
 val enter : t -> t
 (** [enter scope] is [scope] as it is inside of a function. *)
 

@@ -1,10 +1,33 @@
 open Raylab_expression
 
-type t = { findings : Findings.t; mutable failed : bool }
 type frame = Thing.t Frame.t
 type 'a ready = frame -> 'a
 
-let start findings = { findings; failed = false }
+type t = {
+  findings : Findings.t;
+  outermost : Scope.t * frame;
+  files : (int, File_code.t) Hashtbl.t;
+  mutable failed : bool;
+}
+
+let start findings scope frame =
+  {
+    findings;
+    outermost = (scope, frame);
+    files = Hashtbl.create 7;
+    failed = false;
+  }
+
+let outermost check = check.outermost
+
+let file check base compile =
+  match Hashtbl.find_opt check.files base with
+  | Some file -> file
+  | None ->
+      let file = compile () in
+      Hashtbl.add check.files base file;
+      file
+
 let findings check = check.findings
 let failed check = check.failed
 

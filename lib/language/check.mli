@@ -8,13 +8,21 @@ open Raylab_expression
 type t
 (** The type for what is known of the item that is being evaluated. *)
 
-val start : Findings.t -> t
-(** [start findings] tells [findings]. *)
+val start : Findings.t -> Scope.t -> Thing.t Frame.t -> t
+(** [start findings scope frame] tells [findings]. What is built in is known in
+    [scope], which is that of the outermost [frame]. *)
 
 val findings : t -> Findings.t
 (** [findings check] is where errors are told. *)
 
 type frame = Thing.t Frame.t
+
+val outermost : t -> Scope.t * frame
+(** [outermost check] is the scope and frame in which files start. *)
+
+val file : t -> int -> (unit -> File_code.t) -> File_code.t
+(** [file check base compile] is [compile ()], once for the file that starts at
+    [base]. *)
 
 val failed : t -> bool
 (** [failed check] is whether anything in the innermost {!whole} is wrong. *)

@@ -1,4 +1,5 @@
 open Raylab_source
+open Raylab_expression
 
 type t = {
   check : Check.t;
@@ -8,22 +9,29 @@ type t = {
 
 let start check = { check; seen = []; settings = Settings.none }
 
+let tell_again header word word_span { Span.start; _ } =
+  let findings = Check.findings header.check in
+  let first = Files.place (Sources.table (Findings.sources findings)) start in
+  Findings.error findings word_span
+    (Printf.sprintf "%s is set a second time" word)
+    ~advice:
+      (Printf.sprintf "it is already set%s; remove one of them"
+         (Option.fold first ~none:"" ~some:(fun place ->
+              " in " ^ Place.to_string place)))
+
 let set header scope { Syntax.word; word_span; change } frame =
-  let change =
-    Evaluate_written.compile header.check scope word_span ~default:Fun.id
-      change
-  in
-  header.settings <- change frame header.settings;
-  match List.assoc_opt word header.seen with
-  | Some first ->
-      let findings = Check.findings header.check in
-      let place = Sources.place (Findings.sources findings) first in
-      Findings.error findings word_span
-        (Printf.sprintf "%s is set a second time" word)
-        ~advice:
-          (Printf.sprintf "it is already set in line %d; remove one of them"
-             place.line)
-  | None -> header.seen <- (word, word_span) :: header.seen
+  let first = List.assoc_opt word header.seen in
+  (* a file may be included twice *)
+  if first <> Some word_span then (
+    let change =
+      Evaluate_written.compile header.check scope word_span ~default:Fun.id
+        change
+    in
+    Frame.need frame (Scope.size scope);
+    header.settings <- change frame header.settings;
+    match first with
+    | Some first -> tell_again header word word_span first
+    | None -> header.seen <- (word, word_span) :: header.seen)
 
 let finish header stop =
   let { check; seen; settings } = header in

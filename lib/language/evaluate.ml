@@ -15,7 +15,7 @@ let start findings time =
   Frame.set binding frame (Number time);
   (scope, frame)
 
-let run_header check scope frame header names items =
+let run_header check scope frame header sink names items =
   let run scope (item : Syntax.header_item) =
     match item with
     | Setting setting ->
@@ -29,6 +29,18 @@ let run_header check scope frame header names items =
         Frame.need frame (Scope.size scope);
         define frame;
         scope
+    | Header_include inclusion ->
+        let file =
+          Evaluate_include.compile Evaluate_item.compile check inclusion
+        in
+        Twice.included names inclusion.span file;
+        file.define ();
+        let set (scope, setting) =
+          Check_header.set header scope setting frame
+        in
+        List.iter set file.settings;
+        file.place sink;
+        Evaluate_include.names scope file
   in
   List.fold_left run scope items
 
@@ -43,7 +55,7 @@ let run_items check scope frame sink names items =
         Sink.add sink nowhere (Lamp l);
         scope
     | item ->
-        Twice.item names item;
+        Evaluate_item.tell_twice check names item;
         let scope, code = Evaluate_item.compile check scope ~at:nowhere item in
         Frame.need frame (Scope.size scope);
         code frame sink;
@@ -53,12 +65,14 @@ let run_items check scope frame sink names items =
 
 let scene ?(time = 0.) sources (syntax : Syntax.t) =
   let findings = Findings.start sources in
-  let check = Check.start findings in
   let scope, frame = start findings time in
+  let check = Check.start findings scope frame in
   let header = Check_header.start check and names = Twice.start check in
   let sink = Sink.scene () in
   (try
-     let scope = run_header check scope frame header names syntax.header in
+     let scope =
+       run_header check scope frame header sink names syntax.header
+     in
      Check_header.finish header syntax.header_end;
      run_items check scope frame sink names syntax.items
    with Fault.Found fault -> Findings.fault findings fault frame.run.stack);

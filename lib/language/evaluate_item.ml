@@ -7,7 +7,14 @@ let add (frame : Check.frame) sink span node =
   Budget.make frame.run.budget span (Thing.count node);
   Sink.add sink span node
 
-let rec compile check scope ~at (item : Syntax.item) =
+let rec tell_twice check names (item : Syntax.item) =
+  match item with
+  | Include inclusion ->
+      Twice.included names inclusion.span
+        (Evaluate_include.compile compile check inclusion)
+  | item -> Twice.item names item
+
+and compile check scope ~at (item : Syntax.item) =
   match item with
   (* what a block repeats is not written each time *)
   | Ready_object o -> (scope, fun frame sink -> add frame sink at (Leaf o))
@@ -16,6 +23,12 @@ let rec compile check scope ~at (item : Syntax.item) =
   | Definition d ->
       let scope, define = Evaluate_definition.compile block check scope d in
       (scope, fun frame _ -> define frame)
+  | Include inclusion ->
+      let file = Evaluate_include.compile compile check inclusion in
+      ( Evaluate_include.names scope file,
+        fun _ sink ->
+          file.define ();
+          file.place sink )
   | For { name; name_span; range; body } ->
       let inner, each = Code.loop scope ~at:name_span name name_span range in
       let body = block check inner ~at:name_span body in
@@ -42,7 +55,7 @@ and place check scope placed =
 and block check scope ~at items =
   let names = Twice.start check in
   let compile (scope, codes) item =
-    Twice.item names item;
+    tell_twice check names item;
     let scope, code = compile check scope ~at item in
     (scope, code :: codes)
   in

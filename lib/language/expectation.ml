@@ -137,8 +137,8 @@ let rule whole before after =
 
 let of_item { Parser_state.whole; before; after } =
   match (whole, before) with
-  | ("light" | "shape" | "setting" | "own_surface" | "modifier"), word :: rest
-    ->
+  | ( ("light" | "shape" | "setting" | "own_surface" | "modifier" | "inclusion"),
+      word :: rest ) ->
       Option.bind (Keyword.of_symbol word) (fun keyword ->
           after_word keyword (List.length rest))
   | "simple_thing", [ "FOR" ] ->

@@ -178,7 +178,10 @@ let structure : t list =
       "before the step of a loop";
     row "in" IN "IN" [ ("list", "a list after in: [ ... ] or a name") ]
       "before the list of a loop";
-    row "include" INCLUDE "INCLUDE" [] "reserved: files cannot be included yet";
+    row "include" INCLUDE "INCLUDE"
+      [ ("file name", "the name of a file in quotes after include, such as \
+                       \"wood.scene\"") ]
+      "puts in its place what another file says";
   ]
 [@@ocamlformat "disable"]
 

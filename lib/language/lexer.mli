@@ -8,20 +8,29 @@
     are names.
 
     A word that a definition, a loop or a parameter introduces is a name from
-    there to the end of the block around it, whatever else it means. *)
+    there to the end of the block around it, whatever else it means. So is one
+    that a file defines which is included. *)
+
+open Raylab_source
+
+type include_ = Span.t -> string -> Syntax.included
+(** The type for what reads a file that is included: its name, and where that
+    stands. *)
 
 type state
 (** The type for what was read before: names, blocks, brackets. *)
 
-val start : unit -> state
-(** [start ()] is the state at the start of a text. *)
+val start : ?include_:include_ -> unit -> state
+(** [start ~include_ ()] is the state at the start of a text. By default every
+    file that is included is empty. *)
 
 val token : state -> Lexing.lexbuf -> Parser.token
 (** [token state buffer] is the next token. It raises nothing, whatever the
     bytes. *)
 
 val names : state -> string list
-(** [names state] is the names that are known, in lower case. *)
+(** [names state] is the names that are known, in lower case; at the end of a
+    text those that it defines. *)
 
 val too_deep : state -> (int * string) option
 (** [too_deep state] is the first offset where more than 1,000 brackets or

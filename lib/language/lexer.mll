@@ -4,10 +4,14 @@
    A word that a definition, a loop or a parameter introduces is a name from
    there to the end of the block around it, whatever else it means. *)
 
-type after = Binder | Parameters | Other
+module Names = Set.Make (String)
+
+type after = Binder | Parameters | File_name | Other
+type include_ = Raylab_source.Span.t -> string -> Syntax.included
 
 type state = {
-  mutable blocks : string list list;  (* names of the blocks that are open *)
+  include_ : include_;
+  mutable blocks : Names.t list;  (* names of the blocks that are open *)
   mutable depth : int;  (* of the brackets that are open *)
   mutable after : after;
   mutable starts_parameter : bool;
@@ -17,9 +21,10 @@ type state = {
   mutable taken : (string * int) list;
 }
 
-let start () =
-  { blocks = [ [] ]; depth = 0; after = Other; starts_parameter = false;
-    after_else = false; operators = []; too_deep = None; taken = [] }
+let start ?(include_ = fun _ _ -> Included.nothing) () =
+  { include_; blocks = [ Names.empty ]; depth = 0; after = Other;
+    starts_parameter = false; after_else = false; operators = [];
+    too_deep = None; taken = [] }
 
 let too_deep state = state.too_deep
 let taken state = List.rev state.taken
@@ -27,17 +32,23 @@ let key = String.lowercase_ascii
 
 let is_name state word =
   match state.blocks with
-  | [ [] ] -> false
-  | blocks -> List.exists (List.mem (key word)) blocks
+  | [ names ] when Names.is_empty names -> false
+  | blocks ->
+      let key = key word in
+      List.exists (Names.mem key) blocks
 
-let names state = List.concat state.blocks
+let names state =
+  Names.elements (List.fold_left Names.union Names.empty state.blocks)
+
+let add_names state names =
+  match state.blocks with
+  | [] -> state.blocks <- [ names ]
+  | own :: rest -> state.blocks <- Names.union names own :: rest
 
 let introduce state (lexbuf : Lexing.lexbuf) word =
   if Keyword.token word <> None && not (is_name state word) then
     state.taken <- (word, lexbuf.lex_start_p.pos_cnum) :: state.taken;
-  match state.blocks with
-  | [] -> state.blocks <- [ [ key word ] ]
-  | names :: rest -> state.blocks <- (key word :: names) :: rest
+  add_names state (Names.singleton (key word))
 
 let deepest = 1000
 
@@ -46,7 +57,7 @@ let check_depth state (lexbuf : Lexing.lexbuf) depth message =
     state.too_deep <- Some (lexbuf.lex_start_p.pos_cnum, message)
 
 let open_block state lexbuf =
-  state.blocks <- [] :: state.blocks;
+  state.blocks <- Names.empty :: state.blocks;
   check_depth state lexbuf
     (List.length state.blocks - 1)
     "blocks are nested deeper than 1,000"
@@ -89,6 +100,7 @@ let structural state lexbuf (token : Parser.token) =
   state.after_else <- false;
   (match token with
   | LET -> state.after <- Binder
+  | INCLUDE -> state.after <- File_name
   | FOR -> open_block state lexbuf; state.after <- Binder
   | IF -> if not after_else then open_block state lexbuf
   | GROUP -> open_block state lexbuf
@@ -136,6 +148,18 @@ let call state lexbuf text =
   open_bracket state lexbuf;
   Parser.CALL text
 
+(* A text in quotes; where it names a file, the names of that are known from
+   here. *)
+let text state (lexbuf : Lexing.lexbuf) text =
+  if state.after = File_name then (
+    state.after <- Other;
+    let start = lexbuf.lex_start_p.pos_cnum
+    and stop = lexbuf.lex_curr_p.pos_cnum in
+    let included = state.include_ { start; stop } text in
+    add_names state (Names.of_list included.names);
+    Parser.FILE included)
+  else Parser.STRING text
+
 let number (lexbuf : Lexing.lexbuf) =
   Parser.NUMBER
     (Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
@@ -176,7 +200,7 @@ rule item state = parse
   | ')' { RPAREN }
   | ']' { RBRACKET }
   | '=' { EQUAL }
-  | '"' ([^ '"' '\n' '\r']* as text) '"' { STRING text }
+  | '"' ([^ '"' '\n' '\r']* as content) '"' { text state lexbuf content }
   | [^ ' ' '\t' '\r' '\011' '\012' '\n' '#' '(' ')' '[' ']' '=']+ as text
       { word state lexbuf text }
   | eof { EOF }

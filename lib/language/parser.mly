@@ -39,6 +39,7 @@ let modifier change loc = { Syntax.change; span = span loc }
 %token <Raylab_scene.Color.t> COLOR "red"
 %token <string> WORD "<unknown word>"
 %token <string> NAME "name" CALL "name("
+%token <Syntax.included> FILE "\"file\""
 %token <string> STRING "\"text\""
 %token <char> PART ".x"
 %token IM_WIDTH "imWidth" IM_HEIGHT "imHeight"
@@ -89,6 +90,7 @@ header:
   | (* nothing *) { [] }
   | header = header setting = setting { setting :: header }
   | header = header d = definition { Syntax.Header_definition d :: header }
+  | header = header i = inclusion { Syntax.Header_include i :: header }
 
 setting:
   | "imWidth" n = atom { setting "imWidth" $loc($1) (Settings.im_width n) }
@@ -113,7 +115,8 @@ body:
   | first = things { first }
   | first = things "objects" items = items { items @ first }
 
-(* Not to begin with a definition, which belongs to the header. *)
+(* Not to begin with a definition or an include, which belong to the
+   header. *)
 things:
   | thing = thing { [ thing ] }
   | items = things item = item { item :: items }
@@ -124,6 +127,7 @@ items:
 
 item:
   | d = definition { Syntax.Definition d }
+  | i = inclusion { Syntax.Include i }
   | thing = thing { thing }
 
 thing:
@@ -162,6 +166,7 @@ some_else_items:
 
 else_item:
   | d = definition { Syntax.Definition d }
+  | i = inclusion { Syntax.Include i }
   | thing = simple_thing { thing }
 
 condition:
@@ -173,6 +178,9 @@ range:
       { To { first; last; step = Some step } }
   | "in" l = bracketed { In l }
   | "in" r = reference { In r }
+
+inclusion:
+  | "include" file = FILE { { Syntax.file; span = span $loc(file) } }
 
 definition:
   | "let" name = NAME "=" value = value

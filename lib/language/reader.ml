@@ -20,10 +20,6 @@ let special (token : Parser.token) =
   | WORD "==" -> Some ("'==' is no operator", "two values are compared by =")
   | WORD "!=" ->
       Some ("'!=' is no operator", "that two values differ is written <>")
-  | INCLUDE ->
-      Some
-        ( "other files cannot be included yet",
-          "put what they say into this file" )
   | _ -> None
 
 let syntax_error sources checkpoint state names token (start : Lexing.position)
@@ -51,8 +47,8 @@ let syntax_error sources checkpoint state names token (start : Lexing.position)
            (Sources.quote sources span))
 
 (* Runs the slow parser over a text that the fast one refused. *)
-let explain_error sources file =
-  let lexbuf = lexbuf file and words = Lexer.start () in
+let explain_error sources include_ file =
+  let lexbuf = lexbuf file and words = Lexer.start ?include_ () in
   let rec run input checkpoint =
     match checkpoint with
     | Engine.InputNeeded _ ->
@@ -81,13 +77,17 @@ let explain_error sources file =
 let too_deep sources (offset, message) =
   Scene_error.make sources { start = offset; stop = offset + 1 } message
 
-let parse sources file =
-  let words = Lexer.start () in
+let parse ?include_ sources file =
+  let words = Lexer.start ?include_ () in
   let result =
     match Parser.scene (Lexer.token words) (lexbuf file) with
     | syntax -> Ok syntax
-    | exception Parser.Error -> explain_error sources file
+    | exception Parser.Error -> explain_error sources include_ file
   in
   match Lexer.too_deep words with
   | Some found -> Error (too_deep sources found)
-  | None -> result
+  | None ->
+      let read syntax =
+        { Syntax.base = file.base; names = Lexer.names words; syntax }
+      in
+      Result.map read result

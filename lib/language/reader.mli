@@ -2,8 +2,13 @@
 
 open Raylab_source
 
-val parse : Sources.t -> Sources.file -> (Syntax.t, Scene_error.t) result
-(** [parse sources file] is the scene that [file], one of [sources], writes,
+val parse :
+  ?include_:Lexer.include_ ->
+  Sources.t ->
+  Sources.file ->
+  (Syntax.included, Scene_error.t) result
+(** [parse ~include_ sources file] is what [file], one of [sources], writes,
     its numbers unchecked, or the first place where it is not in the language.
-    It takes time linear in the size of the text and raises nothing, whatever
-    the bytes. *)
+    Files that it includes come from [include_], which may be called twice for
+    each. It takes time linear in the size of the text and raises nothing,
+    whatever the bytes. *)

@@ -18,15 +18,15 @@ let draw_excerpt sources span (place : Sources.place) =
 let make sources (span : Span.t) ?(advice = "") message =
   let place = Sources.place sources span in
   {
-    file = Sources.name sources span.start;
+    file = Sources.title sources span.start;
     place = Some place;
     message;
     excerpt = draw_excerpt sources span place;
     advice;
   }
 
-let whole sources ?advice message =
-  let error = make sources { start = 0; stop = 0 } ?advice message in
+let whole sources { Sources.base; _ } ?advice message =
+  let error = make sources { start = base; stop = base } ?advice message in
   { error with excerpt = "" }
 
 let unreadable ~file reason =

@@ -16,9 +16,9 @@ type t = {
 val make : Sources.t -> Span.t -> ?advice:string -> string -> t
 (** [make sources span message] is the error that [span] is wrong. *)
 
-val whole : Sources.t -> ?advice:string -> string -> t
-(** [whole sources message] is the error that all of the main file is wrong.
-    Its place is the start, and it has no excerpt. *)
+val whole : Sources.t -> Sources.file -> ?advice:string -> string -> t
+(** [whole sources file message] is the error that all of [file] is wrong. Its
+    place is the start, and it has no excerpt. *)
 
 val unreadable : file:string -> string -> t
 (** [unreadable ~file reason] is the error that [file] cannot be read. *)

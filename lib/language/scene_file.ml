@@ -2,37 +2,63 @@ open Raylab_source
 open Raylab_geometry
 open Raylab_scene
 
-(* Offsets are as large as this where integers have 32 bits. *)
-let max_size = 0x7fff_ffff
+let max_size = Loader.max_size
 
 let too_large file =
   let reason = Printf.sprintf "the scene is larger than %d bytes" max_size in
   Error [ Scene_error.unreadable ~file reason ]
 
-let read_scene ?time sources main =
-  match Reader.parse sources main with
-  | Error error -> Error [ error ]
-  | Ok syntax -> Evaluate.scene ?time sources syntax
+type reading = {
+  sources : Sources.t;
+  inclusions : (Span.t * Sources.file) list;
+  missing : string list;
+  scene : (Scene.t, Scene_error.t list) result;
+}
 
-let foreign sources encoding =
-  Scene_error.whole sources
-    (Printf.sprintf "the text is %s, and a scene is UTF-8" encoding)
-    ~advice:"save it as UTF-8"
+let unread scene =
+  { sources = Sources.none; inclusions = []; missing = []; scene }
+
+(* A file that is not UTF-8, if there is one. *)
+let foreign sources =
+  let tell (file : Sources.file) =
+    let told encoding =
+      Scene_error.whole sources file
+        (Printf.sprintf "the text is %s, and a scene is UTF-8" encoding)
+        ~advice:"save it as UTF-8"
+    in
+    Option.map told (Encoding.foreign file.text)
+  in
+  List.find_map tell (Sources.files sources)
 
 (* What nests has a limit, for which JavaScript's stack may still be small. *)
 let too_deep sources =
-  Scene_error.whole sources
-    "the scene is nested too deep for the stack that there is"
-    ~advice:"nest blocks, brackets and calls less deep"
-
-let parse ?time sources =
   let main = Sources.file sources 0 in
-  if Sources.size sources > max_size then too_large (Sources.name sources 0)
+  Scene_error.whole sources main
+    "the scene is nested too deep for the stack that there is"
+    ~advice:"nest blocks, brackets, calls and files less deep"
+
+let read_all ?time access sources =
+  if Sources.size sources > max_size then
+    unread (too_large (Sources.name sources 0))
   else
-    match (read_scene ?time sources main, Encoding.foreign main.text) with
-    | Error _, Some encoding -> Error [ foreign sources encoding ]
-    | result, _ -> result
-    | exception Stack_overflow -> Error [ too_deep sources ]
+    let { Loader.sources; inclusions; missing; syntax } =
+      try Loader.read access sources
+      with Stack_overflow ->
+        let syntax = Error [ too_deep sources ] in
+        { Loader.sources; inclusions = []; missing = []; syntax }
+    in
+    let scene =
+      match Result.bind syntax (Evaluate.scene ?time sources) with
+      | Ok scene -> Ok scene
+      | Error errors ->
+          let foreign = Option.map (fun e -> [ e ]) (foreign sources) in
+          Error (Option.value foreign ~default:errors)
+      | exception Stack_overflow -> Error [ too_deep sources ]
+    in
+    { sources; inclusions; missing; scene }
+
+let parse ?time ?(access = Access.none) sources =
+  (read_all ?time access sources).scene
 
 let without_extension path =
   match String.lowercase_ascii (Filename.extension path) with
@@ -84,17 +110,14 @@ let read_main path =
       in
       Error [ Scene_error.unreadable ~file reason ]
 
-type reading = {
-  sources : Sources.t;
-  scene : (Scene.t, Scene_error.t list) result;
-}
+let no_access _ = Access.none
 
-let read ?time path =
+let read ?time ?(access = no_access) path =
   match read_main path with
-  | Ok sources -> { sources; scene = parse ?time sources }
-  | Error _ as scene -> { sources = Sources.none; scene }
+  | Ok sources -> read_all ?time (access path) sources
+  | Error _ as scene -> unread scene
 
-let load ?time path = (read ?time path).scene
+let load ?time ?access path = (read ?time ?access path).scene
 
 (* {1 Printing} *)
 

@@ -3,29 +3,43 @@
 open Raylab_source
 open Raylab_scene
 
-val parse : ?time:float -> Sources.t -> (Scene.t, Scene_error.t list) result
-(** [parse ~time sources] is the scene that the main file of [sources]
-    describes at [time], by default 0, or what is wrong with it: one error of
-    syntax, or all errors of validation in the order of the text. It takes time
-    linear in the size of the text and raises nothing, whatever the bytes. More
-    of them than {!max_size} are an error, without a place. *)
+val parse :
+  ?time:float ->
+  ?access:Access.t ->
+  Sources.t ->
+  (Scene.t, Scene_error.t list) result
+(** [parse ~time ~access sources] is the scene that the main file of [sources]
+    describes at [time], by default 0, or what is wrong with it: errors of
+    syntax and of files that it includes, or all errors of validation in the
+    order of the text. Other files are reached by [access], by default none. It
+    takes time linear in the size of the text and raises nothing, whatever the
+    bytes. More of them than {!max_size} are an error, without a place. *)
 
-val load : ?time:float -> string -> (Scene.t, Scene_error.t list) result
-(** [load ~time path] is the scene in the file at [path], or on standard input
-    if [path] is ["-"], as {!parse} reads it. A file that cannot be read, or is
-    too large, is an error. *)
+val load :
+  ?time:float ->
+  ?access:(string -> Access.t) ->
+  string ->
+  (Scene.t, Scene_error.t list) result
+(** [load ~time ~access path] is the scene in the file at [path], or on
+    standard input if [path] is ["-"], as
+    {!parse}[ ~time ~access:(access path)] reads it. A file that cannot be
+    read, or is too large, is an error. *)
 
 type reading = {
   sources : Sources.t;
       (** all files that were read for it, the main one first; none if that
           could not be read *)
+  inclusions : (Span.t * Sources.file) list;
+      (** where a file is named that is included, with the quotes, and which
+          one that is *)
+  missing : string list;  (** paths of files that could not be read *)
   scene : (Scene.t, Scene_error.t list) result;
 }
 (** The type for scenes and the files that they come from. *)
 
-val read : ?time:float -> string -> reading
-(** [read ~time path] is {!load}[ ~time path] together with all that was read.
-*)
+val read : ?time:float -> ?access:(string -> Access.t) -> string -> reading
+(** [read ~time ~access path] is {!load}[ ~time ~access path] together with all
+    that was read. *)
 
 val without_extension : string -> string
 (** [without_extension path] is [path] without [.scene] or [.txt] at its end,

@@ -33,6 +33,7 @@ type item =
       body : item list;
     }
   | If of { condition : Expression.t; yes : item list; no : item list }
+  | Include of inclusion
 
 and placed = {
   thing : thing;
@@ -54,13 +55,24 @@ and definition = {
 }
 
 and value = Expression of Expression.t | Surface of surface | Thing of placed
+and inclusion = { file : included; span : Span.t  (** of its name *) }
 
-type setting = { word : string; word_span : Span.t; change : Settings.change }
+and included = {
+  base : int;  (** where the file starts in the space of offsets *)
+  names : string list;  (** that it defines, in lower case *)
+  syntax : t;
+}
+(** A file that is included. However often it is, there is one of it. *)
+
+and setting = { word : string; word_span : Span.t; change : Settings.change }
 (** A setting of the header. *)
 
-type header_item = Setting of setting | Header_definition of definition
+and header_item =
+  | Setting of setting
+  | Header_definition of definition
+  | Header_include of inclusion
 
-type t = {
+and t = {
   header : header_item list;
   header_end : Span.t;  (** the empty span after the last setting *)
   items : item list;

@@ -128,9 +128,8 @@ say "job ${job%%%%;*} joins them"
 |}
     job.bands
 
-let scripts job =
-  [
-    ("bands.sbatch", bands job);
-    ("join.sbatch", join job);
-    (submit, submit_text job);
-  ]
+let writers =
+  [ ("bands.sbatch", bands); ("join.sbatch", join); (submit, submit_text) ]
+
+let names = List.map fst writers
+let scripts job = List.map (fun (name, write) -> (name, write job)) writers

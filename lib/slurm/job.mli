@@ -26,6 +26,9 @@ val folders : string list
 val submit : string
 (** [submit] is the name of the script that submits the others. *)
 
+val names : string list
+(** [names] is the names of {!scripts}. *)
+
 val scripts : t -> (string * string) list
 (** [scripts job] is names and texts of the scripts, in bash:
 

@@ -39,6 +39,11 @@ let name sources offset = (Files.find sources.table offset).name
 let file sources offset =
   sources.files.((Files.find sources.table offset).index)
 
+let title sources offset =
+  match (file sources offset).path with
+  | "-" -> name sources offset
+  | path -> Printable.text path
+
 (* The line on which a span starts, in its file, without its line end. *)
 type line = { file : file; number : int; start : int; stop : int }
 

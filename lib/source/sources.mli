@@ -47,6 +47,10 @@ val name : t -> int -> string
 (** [name sources offset] is the name of the file in which [offset] is,
     {!Printable}. *)
 
+val title : t -> int -> string
+(** [title sources offset] is what errors call that file: its path, or, of
+    standard input, its name; {!Printable}. *)
+
 val file : t -> int -> file
 (** [file sources offset] is the file in which [offset] is. *)
 

@@ -129,7 +129,7 @@ let show_with program options path =
 
 (* Then the program says the lines that the prompt says. *)
 let still_has scene file =
-  match Scene_file.load file with
+  match Session.read file with
   | Ok found -> Scene.equal found scene
   | Error _ -> false
 
@@ -154,7 +154,8 @@ let show ?file scene =
   match (program (), file) with
   | None, _ -> show_here ~name ~out scene
   | Some program, Some file when still_has scene file ->
-      show_with program [] file
+      let allow folder = "--allow=" ^ folder in
+      show_with program (List.map allow (Session.allowed ())) file
   | Some program, _ ->
       with_scene_file ~name scene
         (show_with program [ "--no-lines"; "--output=" ^ out ])

@@ -18,9 +18,15 @@ let scene () = !current.scene
 let file () = !current.file
 let trace () = Lazy.force !current.trace
 let use scene = current := about scene
+let folders = ref []
+let allow paths = folders := paths
+let allowed () = !folders
+
+let read path =
+  Scene_file.load ~access:(Raylab_disk.Disk.access ~allow:!folders) path
 
 let load path =
-  let loaded = Scene_file.load path in
+  let loaded = read path in
   let file = if Target.has_name path then Some path else None in
   Result.iter (fun scene -> current := about ?file scene) loaded;
   loaded

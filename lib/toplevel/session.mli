@@ -20,6 +20,16 @@ val trace : unit -> Prepared.t
 val use : Scene.t -> unit
 (** [use scene] makes [scene] the current one and ends the walk. *)
 
+val allow : string list -> unit
+(** [allow folders] lets scenes include files in [folders], too, from now on.
+*)
+
+val allowed : unit -> string list
+(** [allowed ()] is these folders. *)
+
+val read : string -> (Scene.t, Scene_error.t list) result
+(** [read path] is the scene in a file, with all that it includes. *)
+
 val load : string -> (Scene.t, Scene_error.t list) result
 (** [load path] reads a scene file. If that is right it is the current scene,
     else nothing has changed. *)

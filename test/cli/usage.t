@@ -224,7 +224,7 @@ Help and version go to standard output. A version is no place-holder.
          scenes/why-black.md.
   
   COMMANDS
-         check [OPTION]… SCENE…
+         check [--allow=DIR] [OPTION]… SCENE…
              report the errors and warnings of scenes
   
          explain [OPTION]… SCENE X,Y…
@@ -239,7 +239,7 @@ Help and version go to standard output. A version is no place-holder.
          render [OPTION]… SCENE
              render a scene to a picture file
   
-         repl [OPTION]… [SCENE] [SCRIPT]
+         repl [--allow=DIR] [OPTION]… [SCENE] [SCRIPT]
              explore a scene at OCaml's prompt
   
          slurm [OPTION]… SCENE
@@ -253,6 +253,10 @@ Help and version go to standard output. A version is no place-holder.
              The scene file, or - for standard input.
   
   OPTIONS
+         --allow=DIR
+             Files that SCENE includes may also be in the folder DIR or below
+             it, and not only in that of SCENE. It may be given several times.
+  
          --format=FORMAT
              Write the picture in FORMAT: bmp, png or ppm. The extension of
              OUT, if there is one, must say the same.
@@ -357,6 +361,10 @@ Help and version go to standard output. A version is no place-holder.
              The scene file, or - for standard input.
   
   OPTIONS
+         --allow=DIR
+             Files that SCENE includes may also be in the folder DIR or below
+             it, and not only in that of SCENE. It may be given several times.
+  
          --format=FORMAT
              Write the picture in FORMAT: bmp, png or ppm. The extension of
              OUT, if there is one, must say the same.
@@ -442,7 +450,7 @@ Help and version go to standard output. A version is no place-holder.
          raylab-check - report the errors and warnings of scenes
   
   SYNOPSIS
-         raylab check [OPTION]… SCENE…
+         raylab check [--allow=DIR] [OPTION]… SCENE…
   
   DESCRIPTION
          Reads each SCENE and prints every error and warning to standard error.
@@ -451,6 +459,11 @@ Help and version go to standard output. A version is no place-holder.
   ARGUMENTS
          SCENE (required)
              The scene files, or - for standard input.
+  
+  OPTIONS
+         --allow=DIR
+             Files that SCENE includes may also be in the folder DIR or below
+             it, and not only in that of SCENE. It may be given several times.
   
   COMMON OPTIONS
          -h  Show this help, as --help does.

@@ -17,6 +17,7 @@ let () =
       Test_program.suite;
       Test_expectation.suite;
       Test_second_file.suite;
+      Test_include.suite;
       Test_load.suite;
       Test_round_trip.suite;
       Test_hostile.suite;

@@ -166,9 +166,18 @@ let syntax =
     check "an operand that lacks"
       {|let a = (1 + )
              ^ a value should stand here, not ')'|};
-    check "include"
+    check "include in a value"
+      {|let a = include "a.scene"
+        ^^^^^^^ a value should stand here, not 'include'|};
+    check "include without a file"
+      {|include 3
+        ^ a file name should stand here, not '3'|};
+    check "include without quotes"
+      {|include a.scene
+        ^^^^^^^ unknown file name 'a.scene'|};
+    check "include where nothing can be read"
       {|include "a.scene"
-^^^^^^^ other files cannot be included yet|};
+        ^^^^^^^^^ 'a.scene' cannot be included: no other file can be read here|};
     check "a part that is none"
       {|let p = 1 2 3
 let a = (p.w)

@@ -11,7 +11,7 @@ let read text =
   in
   let file = List.nth (Sources.files sources) 1 in
   match Reader.parse sources file with
-  | Ok syntax -> Evaluate.scene sources syntax
+  | Ok { syntax; _ } -> Evaluate.scene sources syntax
   | Error error -> Error [ error ]
 
 let check_error what expected text =

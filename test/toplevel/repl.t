@@ -447,7 +447,7 @@ The command line
 
   $ raylab repl a b c
   raylab: too many arguments, don't know what to do with 'c'
-  Usage: raylab repl [OPTION]… [SCENE] [SCRIPT]
+  Usage: raylab repl [--allow=DIR] [OPTION]… [SCENE] [SCRIPT]
   Try 'raylab repl --help' or 'raylab --help' for more information.
   [124]
   $ raylab repl -

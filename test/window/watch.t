@@ -11,7 +11,7 @@ A scene is edited beside its window.
   $ sed 's/red/yellow/; s/120/160/' a.scene > yellow.scene
   $ sed 's/red/gren/' a.scene > broken.scene
   $ for scene in a green yellow; do picture $scene.scene > $scene.rgb; done
-  $ cp a.scene red.scene
+  $ cp a.scene red.scene && cp a.rgb red.rgb
   $ start a.scene view --watch a.scene
   $ until_ok is_picture a.rgb
 
@@ -74,6 +74,19 @@ A scene that is in error from the start has a window, too, if it is watched.
   640x480
   $ cat green.scene > b.scene
   $ until_ok is_picture green.rgb
+  $ press q
+  $ ended
+
+Files that are included are watched, too, also one that is not there yet.
+
+  $ mkdir parts
+  $ { head -n 2 a.scene; echo 'include "parts/ball.scene"'; } > c.scene
+  $ start c.scene view --watch c.scene
+  $ until_ok told 'cannot be included'
+  $ tail -n 1 a.scene > parts/ball.scene
+  $ until_ok is_picture green.rgb
+  $ tail -n 1 red.scene > parts/new && mv parts/new parts/ball.scene
+  $ until_ok is_picture red.rgb
   $ press q
   $ ended
   $ raylab view broken.scene 2>&1 | head -n 1

@@ -1,0 +1,25 @@
+(** All files of a scene, read and parsed. *)
+
+open Raylab_source
+
+type t = {
+  sources : Sources.t;  (** all files that were read, the main one first *)
+  inclusions : (Span.t * Sources.file) list;
+      (** where a file is named, with the quotes, and which one that is *)
+  missing : string list;  (** paths of files that could not be read *)
+  syntax : (Syntax.t, Scene_error.t list) result;
+}
+(** The type for what was read. *)
+
+val most_nested : int
+(** [most_nested] is 100: how deep files include each other. *)
+
+val max_size : int
+(** [max_size] is 2^31 - 1 bytes, almost 2 GiB: how much all files have
+    together. *)
+
+val read : Access.t -> Sources.t -> t
+(** [read access sources] reads what the main file of [sources], its only one,
+    includes. A file is read once, however often it is included. What is wrong
+    is one error of syntax a file, and files that cannot be read, where they
+    are included. It raises nothing, whatever the bytes. *)
