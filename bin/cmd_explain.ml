@@ -13,6 +13,7 @@ type options = {
   pixels : (int * int) list;
   view : Options.view;
   form : form;
+  sample : int option;  (** counted from 1 *)
   svg : string option;
 }
 
@@ -53,15 +54,27 @@ let check_svg options =
 let swatches () =
   Swatch.detect ~is_terminal:(Unix.isatty Unix.stdout) Sys.getenv_opt
 
-let text pixels =
+let check_sample options { Explain.x; y; samples; _ } =
+  let taken = List.length samples in
+  match options.sample with
+  | Some k when k > taken ->
+      Command.usage_error
+        "option --sample: pixel %d,%d has %d sample%s, not %d" x y taken
+        (if taken = 1 then "" else "s")
+        k
+  | _ -> ()
+
+let text { sample; _ } pixels =
   let swatches = swatches () in
-  let one = Format.asprintf "%a\n" (Report.pp_pixel_with ~swatches) in
+  let one = Format.asprintf "%a\n" (Report.pp_pixel_with ~swatches ?sample) in
   String.concat "\n" (List.map one pixels)
 
-let steps scene pixels =
-  let camera = scene.Prepared.scene.camera in
+(* Of one sample, the centre unless another is asked for. *)
+let steps { sample; _ } scene pixels =
+  let k = Option.fold sample ~none:0 ~some:pred in
   let one (x, y) =
-    let events = Explain.steps scene (Camera.primary_ray camera ~x ~y) in
+    let ray = Sample_ray.make scene.Prepared.scene ~x ~y k in
+    let events = Explain.steps scene ray in
     let line k event = Format.asprintf "%4d  %a\n" (k + 1) Event.pp event in
     String.concat "" (List.of_seq (Seq.mapi line events))
   in
@@ -100,15 +113,17 @@ let explain options () =
   Option.iter check_place options.svg;
   let prepared = Prepared.make scene in
   let explained (x, y) = Explain.pixel prepared ~x ~y in
-  let pixels () = List.map explained options.pixels in
+  let pixels = lazy (List.map explained options.pixels) in
+  let pixels () = Lazy.force pixels in
+  if Option.is_some options.sample then
+    List.iter (check_sample options) (pixels ());
   let svg () =
-    let pixel = List.hd (pixels ()) in
-    Path_picture.to_svg ~pixel:(pixel.x, pixel.y) scene (Explain.centre pixel)
+    Path_picture.to_svg ?sample:options.sample scene (List.hd (pixels ()))
   and said () =
     match options.form with
-    | Text -> text (pixels ())
+    | Text -> text options (pixels ())
     | Json -> Json.to_string (Json.document (pixels ()))
-    | Steps -> steps prepared options.pixels
+    | Steps -> steps options prepared options.pixels
   in
   match options.svg with
   | None -> print (said ())
@@ -133,6 +148,17 @@ let pixel =
   in
   Options.conv parse ~docv:"X,Y" (fun ppf (x, y) ->
       Format.fprintf ppf "%d,%d" x y)
+
+let sample_number =
+  let parse text =
+    match Options.natural text with
+    | Some k when k >= 1 -> Ok k
+    | _ ->
+        Error
+          (Printf.sprintf
+             "'%s' is not the number of a sample; they count from 1" text)
+  in
+  Options.conv parse ~docv:"K" Format.pp_print_int
 
 let options =
   let open Arg in
@@ -163,12 +189,20 @@ let options =
     in
     value & opt (some string) None & info [ "svg" ] ~docv:"FILE" ~doc
   in
-  let make scene allow pixels view form svg =
-    { scene; allow; pixels; view; form; svg }
+  let sample =
+    let doc =
+      "Of a pixel with several samples, tell of sample $(docv), counted from \
+       1, instead of one of each group that see the same. The first is the \
+       centre."
+    in
+    value & opt (some sample_number) None & info [ "sample" ] ~docv:"K" ~doc
+  in
+  let make scene allow pixels view form sample svg =
+    { scene; allow; pixels; view; form; sample; svg }
   in
   Term.(
     const make $ Command.scene_arg $ Options.allow $ pixels $ Options.view
-    $ form $ svg)
+    $ form $ sample $ svg)
 
 let cmd =
   let man =

@@ -90,18 +90,19 @@ let check_picture format options target { Camera.width; height; _ } =
   or_write_error (Picture_file.check_size format ~width ~height);
   check_target format target ~width ~height
 
-let band options sources { Camera.width; height; _ } =
+let band options sources { Scene.camera = { width; height; _ }; film; _ } =
   let of_rows { Render.first; last } =
     let scene = Sources.digest sources
     and grey = Options.is_grey options.view in
     Band.make
-      { width; height; grey; scene; version = Version.number }
+      { width; height; grey; film; scene; version = Version.number }
       ~first ~last
   in
   Option.map of_rows options.rows
 
 let print_stats (tally : Tally.t) ~pixels ~seconds =
   let rays = Tally.rays tally in
+  let per_pixel n = float_of_int n /. float_of_int pixels in
   let count name n = Command.line "%-15s %12d" name n in
   count "primary rays" tally.primary;
   count "reflected rays" tally.reflected;
@@ -110,6 +111,9 @@ let print_stats (tally : Tally.t) ~pixels ~seconds =
   count "hits" tally.hits;
   count "lights blocked" tally.blocked;
   count "pixels" pixels;
+  Command.line "%-15s %12.3f" "samples a pixel" (per_pixel tally.samples);
+  Command.line "%-15s %12.2f %%" "over-exposed"
+    (100. *. per_pixel tally.over_exposed);
   Command.line "%-15s %12.3f s" "time" seconds;
   Command.line "%-15s %12.0f" "rays per second" (float_of_int rays /. seconds)
 
@@ -155,7 +159,7 @@ let render options () =
   check_rows options scene.camera;
   check_picture format options target scene.camera;
   if not options.quiet then Options.warn options.view written;
-  let band = band options sources scene.camera in
+  let band = band options sources scene in
   let progress = Progress.start ~quiet:options.quiet in
   let started = Unix.gettimeofday () in
   let domains =

@@ -1,5 +1,6 @@
 open Cmdliner
 open Raylab_parallel
+open Raylab_geometry
 open Raylab_scene
 
 let conv parse print ~docv =
@@ -21,7 +22,13 @@ let pair separator text =
       | _ -> None)
   | _ -> None
 
-type view = { size : (int * int) option; grey : bool }
+type view = {
+  size : (int * int) option;
+  grey : bool;
+  samples : int option;
+  exposure : float option;
+  srgb : bool;
+}
 
 let size =
   let fits n = 1 <= n && n <= Camera.max_size in
@@ -37,6 +44,28 @@ let size =
   in
   conv parse ~docv:"WxH" (fun ppf (w, h) -> Format.fprintf ppf "%dx%d" w h)
 
+let samples =
+  let parse text =
+    match natural text with
+    | Some n when 1 <= n && n <= Film.max_samples -> Ok n
+    | _ ->
+        Error
+          (Printf.sprintf "'%s' is not a number of samples from 1 to %d" text
+             Film.max_samples)
+  in
+  conv parse ~docv:"N" Format.pp_print_int
+
+let exposure =
+  let parse text =
+    match float_of_string_opt text with
+    | Some k when Number.broken Positive k = None -> Ok k
+    | _ ->
+        Error
+          (Printf.sprintf
+             "'%s' is not an exposure: expected a number greater than 0" text)
+  in
+  conv parse ~docv:"K" Number.pp
+
 let view =
   let open Arg in
   let size =
@@ -50,19 +79,56 @@ let view =
       "Render in greyscale: take every colour of the scene by its luminance."
     in
     value & flag & info [ "grey"; "gray" ] ~doc
+  and samples =
+    let doc =
+      "Take up to $(docv) samples of each pixel, whatever the scene says: as \
+       many as the pixel needs. 1 makes edges of steps, 16 smooth ones."
+    in
+    value & opt (some samples) None & info [ "samples" ] ~docv:"N" ~doc
+  and exposure =
+    let doc =
+      "Show every colour $(docv) times as bright, whatever the scene says."
+    in
+    value & opt (some exposure) None & info [ "exposure" ] ~docv:"K" ~doc
+  and srgb =
+    let doc =
+      "Show colours by the sRGB curve, as screens expect light to be written. \
+       Dark colours become brighter."
+    in
+    value & flag & info [ "srgb" ] ~doc
   in
-  Term.(const (fun size grey -> { size; grey }) $ size $ grey)
+  let make size grey samples exposure srgb =
+    { size; grey; samples; exposure; srgb }
+  in
+  Term.(const make $ size $ grey $ samples $ exposure $ srgb)
 
 let is_grey view = view.grey
 
-let arguments { size; grey } =
-  (match size with
-  | None -> []
-  | Some (width, height) -> [ "--size"; Printf.sprintf "%dx%d" width height ])
-  @ if grey then [ "--grey" ] else []
+let arguments { size; grey; samples; exposure; srgb } =
+  let option name print = function
+    | None -> []
+    | Some value -> [ name; print value ]
+  and flag name is_given = if is_given then [ name ] else [] in
+  List.concat
+    [
+      option "--size" (fun (w, h) -> Printf.sprintf "%dx%d" w h) size;
+      flag "--grey" grey;
+      option "--samples" string_of_int samples;
+      option "--exposure" Number.to_exact_string exposure;
+      flag "--srgb" srgb;
+    ]
 
-let adjust { size; grey } scene =
+let adjust_film { samples; exposure; srgb; _ } film =
+  let change with_ value film =
+    Option.fold value ~none:film ~some:(fun value -> with_ value film)
+  in
+  change Film.with_samples samples film
+  |> change Film.with_exposure exposure
+  |> if srgb then Film.with_srgb true else Fun.id
+
+let adjust ({ size; grey; _ } as view) scene =
   let scene = if grey then Scene.greyscale scene else scene in
+  let scene = Scene.with_film (adjust_film view scene.film) scene in
   match size with
   | None -> scene
   | Some (width, height) ->

@@ -5,8 +5,8 @@ open Cmdliner
 (** {1 Which picture} *)
 
 type view
-(** The type for what changes the picture of a scene: options --size and
-    --grey. *)
+(** The type for what changes the picture of a scene: options --size, --grey,
+    --samples, --exposure and --srgb. *)
 
 val view : view Term.t
 (** [view] is these options. *)

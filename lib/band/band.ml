@@ -1,3 +1,4 @@
+open Raylab_geometry
 open Raylab_scene
 open Raylab_picture
 
@@ -5,6 +6,7 @@ type whole = {
   width : int;
   height : int;
   grey : bool;
+  film : Film.t;
   scene : Digest.t;
   version : string;
 }
@@ -38,6 +40,16 @@ let difference a b =
          b.width b.height)
   else if a.scene <> b.scene then Some "the scenes differ"
   else if a.grey <> b.grey then Some "one is grey"
+  else if a.film.samples <> b.film.samples then
+    Some
+      (Printf.sprintf "the samples differ, %d and %d" a.film.samples
+         b.film.samples)
+  else if a.film.exposure <> b.film.exposure then
+    Some
+      (Printf.sprintf "the exposures differ, %s and %s"
+         (Number.to_exact_string a.film.exposure)
+         (Number.to_exact_string b.film.exposure))
+  else if a.film.srgb <> b.film.srgb then Some "one is srgb"
   else if a.version <> b.version then
     Some
       (Printf.sprintf "the versions of raylab differ, %s and %s" a.version
@@ -47,10 +59,16 @@ let difference a b =
 (* {1 Labels} *)
 
 let color grey = if grey then "grey" else "rgb"
+let encoding srgb = if srgb then "srgb" else "linear"
 
 let without_checksum { whole; first; last } =
-  Printf.sprintf "raylab-band 1 rows %d-%d of %dx%d %s scene %s raylab %s"
-    first last whole.width whole.height (color whole.grey)
+  let { Film.samples; exposure; srgb } = whole.film in
+  Printf.sprintf
+    "raylab-band 2 rows %d-%d of %dx%d %s samples %d exposure %s %s scene %s \
+     raylab %s"
+    first last whole.width whole.height (color whole.grey) samples
+    (Number.to_exact_string exposure)
+    (encoding srgb)
     (Digest.to_hex whole.scene)
     whole.version
 
@@ -59,14 +77,16 @@ let with_checksum band = Printf.sprintf "%s crc32 %s" (without_checksum band)
 let label band crc = with_checksum band (Crc32.to_hex crc)
 
 let scan text =
-  let band first last width height color scene version crc =
+  let band first last width height color samples exposure encoding scene
+      version crc =
     let grey = color = "grey" and scene = Digest.from_hex scene in
-    let whole = { width; height; grey; scene; version } in
+    let film = Film.make ~samples ~exposure ~srgb:(encoding = "srgb") () in
+    let whole = { width; height; grey; film; scene; version } in
     ({ whole; first; last }, crc)
   in
   Scanf.sscanf text
-    "raylab-band 1 rows %d-%d of %dx%d %s scene %32[0-9a-f] raylab %s crc32 \
-     %8[0-9a-f]%!"
+    "raylab-band 2 rows %d-%d of %dx%d %s samples %d exposure %f %s scene \
+     %32[0-9a-f] raylab %s crc32 %8[0-9a-f]%!"
     band
 
 let of_label text =

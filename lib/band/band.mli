@@ -1,11 +1,13 @@
 (** Bands: rows of a picture that know where they belong. *)
 
+open Raylab_scene
 open Raylab_picture
 
 type whole = {
   width : int;  (** in pixels *)
   height : int;  (** in pixels *)
   grey : bool;  (** rendered in greyscale *)
+  film : Film.t;  (** as it was rendered, whatever the scene says *)
   scene : Digest.t;  (** of the text of the scene, without byte-order mark *)
   version : string;  (** of the raylab that rendered it *)
 }
@@ -36,13 +38,13 @@ val difference : whole -> whole -> string option
     this, which is broken here:
 
     {v
-    raylab-band 1 rows 10-19 of 60x40 rgb scene 0cc175b9c0f1b6a831c399e269772661
-    raylab 0.1.0 crc32 e8b7be43
+    raylab-band 2 rows 10-19 of 60x40 rgb samples 16 exposure 1 linear
+    scene 0cc175b9c0f1b6a831c399e269772661 raylab 0.1.0 crc32 e8b7be43
     v}
 
-    [1] is the version of labels, [rgb] may be [grey], and the checksum at the
-    end is of the label up to [raylab 0.1.0] and of the pixels, row by row from
-    the top, as red, green and blue bytes. *)
+    [2] is the version of labels, [rgb] may be [grey], [linear] may be [srgb],
+    and the checksum at the end is of the label up to [raylab 0.1.0] and of the
+    pixels, row by row from the top, as red, green and blue bytes. *)
 
 val checksum : t -> Crc32.t
 (** [checksum band] is the checksum of the label without the pixels, which are

@@ -56,7 +56,7 @@ let hit { Explain.hit = { number; point; _ }; _ } color =
   { number; point; color }
 
 (* A loop: chains may be long. *)
-let rec add number rays hits = function
+let rec add film number rays hits = function
   | [] -> { rays = List.rev rays; hits = List.rev hits }
   | (e : Explain.t) :: others ->
       let rays = chain_ray number e :: rays in
@@ -65,11 +65,17 @@ let rec add number rays hits = function
         | Missed | Chain_ended -> (rays, hits)
         | Hit h ->
             let shadow_rays = List.filter_map (shadow_ray number) h.lights in
-            (List.rev_append shadow_rays rays, hit h e.color :: hits)
+            ( List.rev_append shadow_rays rays,
+              hit h (Film.encode film (Film.expose film e.color)) :: hits )
       in
-      add (number + 1) rays hits (Explain.next e @ others)
+      add film (number + 1) rays hits (Explain.next e @ others)
 
-let of_explanation e = add 1 [] [] [ e ]
+let of_rays film rays =
+  let paths = List.map (fun e -> add film 1 [] [] [ e ]) rays in
+  {
+    rays = List.concat_map (fun path -> path.rays) paths;
+    hits = List.concat_map (fun path -> path.hits) paths;
+  }
 
 let end_of { ray; length; _ } =
   if length = infinity then None else Some (Ray.at ray length)

@@ -28,7 +28,7 @@ type ray = {
 type hit = {
   number : int;  (** of the object *)
   point : Vec3.t;
-  color : Color.t;  (** that of the ray that hit it *)
+  color : Color.t;  (** that of the ray that hit it, as a picture shows it *)
 }
 (** The type for hits of the chain. *)
 
@@ -36,8 +36,9 @@ type t = { rays : ray list; hits : hit list }
 (** The type for paths: all rays in the order in which they were cast, and all
     hits. *)
 
-val of_explanation : Explain.t -> t
-(** [of_explanation e] is the path of [e]. *)
+val of_rays : Film.t -> Explain.t list -> t
+(** [of_rays film rays] is the path of all [rays], one after another, as [film]
+    shows them. *)
 
 val end_of : ray -> Vec3.t option
 (** [end_of ray] is where [ray] ends, if it does. *)

@@ -1,5 +1,6 @@
 open Raylab_geometry
 open Raylab_scene
+open Raylab_tracer
 open Raylab_explanation
 
 (* In pixels. *)
@@ -79,13 +80,18 @@ let panel_parts name words (scene : Scene.t) path (panel : Panel.t) =
 
 (* {1 The sheet} *)
 
-let make ?pixel scene e =
-  let path = Path.of_explanation e in
+let rays ?sample (pixel : Explain.pixel) =
+  match sample with
+  | Some k -> [ (List.nth pixel.samples (k - 1)).ray ]
+  | None -> Group.rays pixel
+
+let make ?sample scene pixel =
+  let title = Summary.of_pixel pixel in
+  let path = Path.of_rays pixel.film (rays ?sample pixel) in
   let above, beside = panels (Extent.of_path scene path) in
   let width =
     Float.max (beside.left +. beside.width +. gap) (Legend.width +. (2. *. gap))
   in
-  let title = Summary.to_string ?pixel e in
   let lines = wrap (width -. (2. *. gap)) title in
   let top =
     gap +. (text_line *. float_of_int (List.length lines)) +. caption
@@ -108,4 +114,4 @@ let make ?pixel scene e =
       @ [ Free (Legend.in_line (gap, bottom +. (1.4 *. gap))) ];
   }
 
-let to_svg ?pixel scene e = Svg.document (make ?pixel scene e)
+let to_svg ?sample scene pixel = Svg.document (make ?sample scene pixel)

@@ -71,6 +71,7 @@ let ray_members ray =
     ("origin", vector (Ray.origin ray));
     ("direction", direction (Ray.direction ray));
     ("reach", if reach = infinity then `Null else number reach);
+    ("seed", number (Ray.seed ray));
   ]
 
 let shadow_ray ray =
@@ -161,11 +162,22 @@ and of_term { Explain.source; color = c; ray } =
 
 (* {1 Documents} *)
 
-let of_sample (e : Explain.t) =
-  `Assoc [ ("color", color e.color); ("ray", of_ray e) ]
+let of_sample { Explain.color = c; ray } =
+  `Assoc [ ("color", color c); ("ray", of_ray ray) ]
+
+let of_film { Film.samples; exposure; srgb } =
+  `Assoc
+    [
+      ("samples", int samples);
+      ("exposure", number exposure);
+      ("srgb", `Bool srgb);
+    ]
+
+let of_neighbour { Sampler.x; y; color = c } =
+  `Assoc [ ("x", int x); ("y", int y); ("color", color c) ]
 
 let of_pixel (pixel : Explain.pixel) =
-  let r, g, b = Color.to_bytes pixel.color in
+  let r, g, b = Film.to_bytes pixel.film pixel.color in
   `Assoc
     [
       ("x", int pixel.x);
@@ -173,6 +185,8 @@ let of_pixel (pixel : Explain.pixel) =
       ("rgb", `List [ int r; int g; int b ]);
       ("summary", text (Summary.of_pixel pixel));
       ("color", color pixel.color);
+      ("film", of_film pixel.film);
+      ("cause", optional of_neighbour pixel.cause);
       ("samples", `List (List.map of_sample pixel.samples));
     ]
 

@@ -3,11 +3,19 @@ let text =
           "rgb": [INT, INT, INT],         the bytes that a picture shows
           "summary": STRING,              the sentence of Summary
           "color": COLOR,                 the mean of the samples
-          "samples": [{ "color": COLOR,
+          "film": { "samples": INT,       what the scene says, or options:
+                    "exposure": NUMBER,   at most so many samples, the
+                    "srgb": BOOL },       factor of colours, the encoding
+          "cause": { "x": INT, "y": INT,  the pixel beside it because of
+                     "color": COLOR }     which it has several samples, and
+                   or null,               the colour of its centre
+          "samples": [{ "color": COLOR,   of the ray, times the exposure and
+                                          brought into 0 to 1
                         "ray": RAY }, ...] }
 
 RAY   = { "origin": VECTOR, "direction": VECTOR,
           "reach": NUMBER or null,        where it ends; null: nowhere
+          "seed": NUMBER,                 a number of its pixel and sample
           "left": INT,                    rays left in the chain
           "color": COLOR,                 the terms, added from the left
           "outcome": "hit", "missed" or "chain ended",
@@ -58,7 +66,7 @@ LIGHT   = { "number": INT, PLACE,
             "verdict": "faces away", "blocked" or "lit",
             "cosine": NUMBER              if it faces away or is lit
             "shadow_ray":                 if blocked or lit
-              the origin, direction and reach of a RAY;
+              the origin, direction, reach and seed of a RAY;
               or null                     if lit: the light is where it
                                           would start
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked

@@ -15,10 +15,12 @@ let line ppf =
   pf ppf "@,";
   first_line ppf
 
-type style = { swatches : Swatch.t }
+type style = { swatches : Swatch.t; film : Film.t }
 
-let color { swatches } ppf c =
-  pf ppf "%a%a" Color.pp c (Swatch.pp_with swatches) c
+let seen film c = Film.encode film (Film.expose film c)
+
+let color { swatches; film } ppf c =
+  pf ppf "%a%a" Color.pp c (Swatch.pp_with swatches) (seen film c)
 
 (* {1 Lights} *)
 
@@ -102,20 +104,29 @@ let rec print_ray style ppf number (e : Explain.t) =
       List.iter (print_ray style ppf (number + 1)) (Explain.next e);
       print_sum style ppf indent number h e
 
-(* {1 All of it} *)
+(* {1 All of a ray} *)
 
-let pp_summary_with ?(swatches = Swatch.None) ?pixel ppf e =
-  pf ppf "@[<hov>%a:%a@ %a@]" text (Summary.subject ?pixel e)
-    (Swatch.pp_with swatches) e.color text (Summary.reason e)
+let style ?(swatches = Swatch.None) ?(film = Film.default) () =
+  { swatches; film }
 
-let pp_tree_with ?(swatches = Swatch.None) ppf e =
+let print_summary { swatches; _ } ppf subject shown reason =
+  pf ppf "@[<hov>%a:%a@ %a@]" text subject (Swatch.pp_with swatches) shown text
+    reason
+
+let pp_summary_with ?swatches ppf (e : Explain.t) =
+  print_summary (style ?swatches ()) ppf (Summary.subject e) e.color
+    (Reason.of_ray Film.default e)
+
+let print_tree style ppf e =
   pf ppf "@[<v>";
-  print_ray { swatches } ppf 1 e;
+  print_ray style ppf 1 e;
   pf ppf "@]"
 
-let pp_with ?swatches ?pixel ppf e =
+let pp_tree_with ?swatches ppf e = print_tree (style ?swatches ()) ppf e
+
+let pp_with ?swatches ppf e =
   pf ppf "@[<v>%a@,@,%a@]"
-    (pp_summary_with ?swatches ?pixel)
+    (pp_summary_with ?swatches)
     e (pp_tree_with ?swatches) e
 
 let pp ppf e = pp_with ppf e
@@ -124,12 +135,79 @@ let pp_tree ppf e = pp_tree_with ppf e
 
 (* {1 Pixels} *)
 
-let place { Explain.x; y; _ } = (x, y)
+let style_of ?swatches { Explain.film; _ } = style ?swatches ~film ()
 
-let pp_pixel_with ?swatches ppf pixel =
-  pp_with ?swatches ~pixel:(place pixel) ppf (Explain.centre pixel)
+let pp_pixel_summary_with ?swatches ppf (pixel : Explain.pixel) =
+  print_summary (style_of ?swatches pixel) ppf
+    (Summary.pixel_subject pixel)
+    (Film.encode pixel.film pixel.color)
+    (Summary.pixel_reason pixel)
+
+(* What a sample adds to the mean, where it is not just the ray's colour. *)
+let print_exposed style ppf { Explain.color = c; ray } =
+  if not (Color.equal c ray.color) then
+    line ppf 0 "times the exposure %a,@ brought into 0 to 1: %a" Number.pp
+      style.film.exposure Color.pp c
+
+let print_encoded style ppf c =
+  if style.film.srgb then
+    line ppf 0 "shown by the sRGB curve as %a" Color.pp
+      (Film.encode style.film c)
+
+let print_cause ppf { Explain.samples; cause; film; _ } =
+  let centre = (List.hd samples).Explain.color in
+  let { Sampler.x; y; color = c } = Option.get cause in
+  first_line ppf 0
+    "%d samples, of at most %d,@ since the centre is %a@ and that of pixel@ \
+     (%d, %d)@ is %a%s"
+    (List.length samples) film.samples Color.pp centre x y Color.pp c
+    (if film.srgb then ", before the sRGB curve" else "")
+
+let print_sample style ppf pixel number sample =
+  let is_in group = List.mem number group.Group.numbers in
+  let group = List.find is_in (Group.of_pixel pixel) in
+  first_line ppf 0 "sample %d,@ %s@ %a:" number
+    (match Group.size group with
+    | 1 -> "which alone sees"
+    | n -> Printf.sprintf "one of %d that see" n)
+    text group.sees;
+  pf ppf "@,";
+  print_ray style ppf 1 sample.Explain.ray;
+  print_exposed style ppf sample
+
+let print_mean style ppf { Explain.samples; color = c; _ } =
+  let add sum ({ color; _ } : Explain.sample) = Color.add sum color in
+  let sum = List.fold_left add Color.black samples in
+  first_line ppf 0 "sum of all %d samples:@ %a" (List.length samples) Color.pp
+    sum;
+  line ppf 0 "divided by their number = colour of the pixel:@ %a" (color style)
+    c;
+  print_encoded style ppf c
+
+let print_one style ppf { Explain.samples; color; _ } =
+  let sample = List.hd samples in
+  print_ray style ppf 1 sample.Explain.ray;
+  print_exposed style ppf sample;
+  print_encoded style ppf color
+
+let print_several style ppf (pixel : Explain.pixel) =
+  print_cause ppf pixel;
+  List.iter
+    (fun { Group.numbers; sample; _ } ->
+      pf ppf "@,@,";
+      print_sample style ppf pixel (List.hd numbers) sample)
+    (Group.of_pixel pixel);
+  pf ppf "@,@,";
+  print_mean style ppf pixel
+
+let pp_pixel_with ?swatches ?sample ppf (pixel : Explain.pixel) =
+  let style = style_of ?swatches pixel in
+  pf ppf "@[<v>%a@,@," (pp_pixel_summary_with ?swatches) pixel;
+  (match (sample, pixel.samples) with
+  | None, [ _ ] -> print_one style ppf pixel
+  | None, _ -> print_several style ppf pixel
+  | Some k, samples ->
+      print_sample style ppf pixel k (List.nth samples (k - 1)));
+  pf ppf "@]"
 
 let pp_pixel ppf pixel = pp_pixel_with ppf pixel
-
-let pp_pixel_summary_with ?swatches ppf pixel =
-  pp_summary_with ?swatches ~pixel:(place pixel) ppf (Explain.centre pixel)

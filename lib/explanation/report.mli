@@ -19,34 +19,31 @@ val pp_summary : Format.formatter -> Explain.t -> unit
 val pp_tree : Format.formatter -> Explain.t -> unit
 (** [pp_tree] prints the tree alone. *)
 
-(** {1 With options} *)
+(** {1 With patches of colour} *)
 
-val pp_with :
-  ?swatches:Swatch.t ->
-  ?pixel:int * int ->
-  Format.formatter ->
-  Explain.t ->
-  unit
-(** [pp_with ~swatches ~pixel] is {!pp} with patches of colour, by default
-    {!Swatch.None}, in words about the pixel [(x, y)], by default about the
-    ray. *)
-
-val pp_summary_with :
-  ?swatches:Swatch.t ->
-  ?pixel:int * int ->
-  Format.formatter ->
-  Explain.t ->
-  unit
-(** [pp_summary_with] is {!pp_summary}, with the options of {!pp_with}. *)
+val pp_with : ?swatches:Swatch.t -> Format.formatter -> Explain.t -> unit
+(** [pp_with ~swatches] is {!pp} with patches of colour, by default
+    {!Swatch.None}. *)
 
 (** {1 Pixels} *)
 
 val pp_pixel : Format.formatter -> Explain.pixel -> unit
-(** [pp_pixel] is {!pp} of the pixel's sample, in words about the pixel. *)
+(** [pp_pixel ppf pixel] prints {!Summary.of_pixel}, an empty line, and the
+    tree of its sample. If it has several, it prints which pixel beside it is
+    to blame for that, the tree of the first sample of each {!Group}, and the
+    sum and the mean of all. What a ray brings is followed by what the film
+    makes of it, if that is another colour. *)
 
 val pp_pixel_with :
-  ?swatches:Swatch.t -> Format.formatter -> Explain.pixel -> unit
-(** [pp_pixel_with ~swatches] is {!pp_pixel} with patches of colour. *)
+  ?swatches:Swatch.t ->
+  ?sample:int ->
+  Format.formatter ->
+  Explain.pixel ->
+  unit
+(** [pp_pixel_with ~swatches ~sample] is {!pp_pixel} with patches of colour, as
+    they are shown, and with the tree of only that sample, counted from 1.
+
+    Raises [Failure] if there is no such sample. *)
 
 val pp_pixel_summary_with :
   ?swatches:Swatch.t -> Format.formatter -> Explain.pixel -> unit

@@ -1,169 +1,53 @@
-open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 
-let is_black c = Color.equal c Color.black
-let shows_black c = Color.to_bytes c = (0, 0, 0)
+let bytes (r, g, b) = Printf.sprintf "rgb %d %d %d" r g b
+let subject (e : Explain.t) = "the ray is " ^ bytes (Color.to_bytes e.color)
+let to_string e = subject e ^ ": " ^ Reason.of_ray Film.default e
 
-(* {1 Lights} *)
+(* {1 Pixels} *)
 
-module Numbers = Map.Make (Int)
+let pixel_subject { Explain.x; y; film; color; _ } =
+  Printf.sprintf "pixel (%d, %d) is %s" x y (bytes (Film.to_bytes film color))
 
-(* The blocked lights by what blocks them: its name and the lights. *)
-let by_blocker blocked =
-  let add groups (light, by, name) =
-    let join = function
-      | None -> Some (name, [ light ])
-      | Some (name, lights) -> Some (name, light :: lights)
-    in
-    Numbers.update by join groups
-  in
-  Numbers.bindings (List.fold_left add Numbers.empty blocked)
+let verb n = if n = 1 then "sees" else "see"
 
-let diffused =
-  Explain.sum_of (function
-    | Diffused _ -> true
-    | Background | Emitted | Mirror -> false)
+let first_clause count group =
+  let n = Group.size group in
+  if n = count then
+    Printf.sprintf "all %d samples see %s" count group.Group.sees
+  else Printf.sprintf "%d of %d samples %s %s" n count (verb n) group.sees
 
-let lit (e : Explain.t) numbers =
-  let diffused = diffused e in
-  let but =
-    if not (shows_black diffused) then ""
-    else if is_black (Explain.light e) then ", which gives no light"
-    else if is_black diffused then ", but returns nothing of its colour"
-    else ", but too weakly to be seen"
-  in
-  "lit by " ^ Words.lights numbers ^ but
+let clause group =
+  let n = Group.size group in
+  Printf.sprintf "%d %s %s" n (verb n) group.Group.sees
 
-let shadows (h : Explain.surface_hit) blocked =
-  let shadow (by, (name, lights)) =
-    let lights = Words.lights (List.rev lights) in
-    if by = h.hit.number then "its own shadow from " ^ lights
-    else Printf.sprintf "the shadow of %s from %s" name lights
-  in
-  "in " ^ Words.list (List.map shadow (by_blocker blocked))
+let most = 4
 
-let faces_away (h : Explain.surface_hit) lights =
-  let clause say = function
-    | [] -> []
-    | lights -> [ say (Words.lights (List.map fst lights)) ]
-  in
-  match Shape.outline h.object_.shape with
-  | Ball _ | Hull _ ->
-      clause (fun lights -> "facing away from " ^ lights) lights
-  | Endless _ | Patch _ ->
-      let behind, beside =
-        List.partition (fun (_, cosine) -> cosine < 0.) lights
+let others groups =
+  match List.filteri (fun k _ -> k >= most) groups with
+  | [] -> []
+  | rest ->
+      let n =
+        List.fold_left (fun sum group -> sum + Group.size group) 0 rest
       in
-      clause (Printf.sprintf "with %s behind it") behind
-      @ clause (fun lights -> "edge-on to " ^ lights) beside
+      [ Printf.sprintf "%d %s something else" n (verb n) ]
 
-let light_clauses e (h : Explain.surface_hit) =
-  let pick choose = List.filter_map choose h.lights in
-  let are_lit =
-    pick (fun { number; verdict; _ } ->
-        match verdict with Lit _ -> Some number | _ -> None)
-  and are_blocked =
-    pick (fun { number; verdict; _ } ->
-        match verdict with
-        | Blocked { by; blocker; place; _ } ->
-            Some (number, by, Naming.by_number by blocker place)
-        | _ -> None)
-  and are_behind =
-    pick (fun { number; verdict; _ } ->
-        match verdict with
-        | Faces_away { cosine } -> Some (number, cosine)
-        | _ -> None)
-  in
-  let clause say = function [] -> [] | some -> [ say some ] in
-  let clauses =
-    clause (lit e) are_lit
-    @ clause (shadows h) are_blocked
-    @ faces_away h are_behind
-  in
-  if is_black h.lobes.albedo then []
-  else if clauses = [] then [ "with no light in the scene" ]
-  else if are_lit = [] then clauses @ [ "so that no light reaches it" ]
-  else clauses
+let over_exposed { Explain.film; samples; _ } =
+  let is_over { Explain.ray; _ } = Film.over_exposed film ray.color in
+  match List.length (List.filter is_over samples) with
+  | 0 -> []
+  | n when n = List.length samples -> [ "all are over-exposed" ]
+  | n -> [ Printf.sprintf "%d of them over-exposed" n ]
 
-(* {1 What a ray meets} *)
+let pixel_reason (pixel : Explain.pixel) =
+  match (pixel.samples, Group.of_pixel pixel) with
+  | [ { ray; _ } ], _ -> Reason.of_ray pixel.film ray
+  | samples, (first :: rest as groups) ->
+      let told = List.filteri (fun k _ -> k < most - 1) rest in
+      String.concat "; "
+        ((first_clause (List.length samples) first :: List.map clause told)
+        @ others groups @ over_exposed pixel)
+  | _, [] -> ""
 
-let rec path e =
-  match Explain.next e with [] -> [ e ] | next :: _ -> e :: path next
-
-let clauses e (h : Explain.surface_hit) =
-  let { Lobes.emission; albedo; mirror } = h.lobes in
-  if List.for_all is_black [ emission; albedo; mirror ] then
-    [ "which returns no light" ]
-  else light_clauses e h
-
-(* [describe ~depth ~article path] is about the rays of [path], the last ones of
-   a chain of at most [depth]. *)
-let rec describe ~depth ~article (path : Explain.t list) =
-  match path with
-  | ({ outcome = Hit h; _ } as e) :: rest ->
-      let seen = { h.object_ with surface = h.surface } in
-      let look = article (Naming.by_look h.hit.number seen h.place) in
-      let clauses = clauses e h in
-      String.concat ", " (look :: clauses) ^ shows ~depth h rest
-  | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)
-  | { outcome = Chain_ended; color; _ } :: _ when depth = 0 ->
-      article (Naming.background color)
-      ^ ", because raydepth is 0 and no ray is followed"
-  | { outcome = Chain_ended; color; _ } :: _ ->
-      Printf.sprintf "%s, because the chain of %d %s has ended"
-        (article (Naming.background color))
-        depth
-        (if depth = 1 then "ray" else "rays")
-  | [] -> ""
-
-and shows ~depth h rest =
-  let the phrase = "the " ^ phrase in
-  let is_mirror = is_black h.lobes.albedo && is_black h.lobes.emission in
-  let verb = if is_mirror then " that shows" else ", whose mirror shows" in
-  match rest with
-  | [] -> ""
-  | [ _ ] | [ _; _ ] -> verb ^ " " ^ describe ~depth ~article:the rest
-  | _ ->
-      let between = List.length rest - 1 in
-      Printf.sprintf "%s, by way of %d more mirrors, %s" verb between
-        (describe ~depth ~article:the [ List.nth rest between ])
-
-(* {1 Brightness} *)
-
-let over_exposed { Color.r; g; b } =
-  let channel name x =
-    (* a level above 255, if there were one *)
-    if x *. 255. > 255.5 then Some (name ^ " " ^ Words.number x) else None
-  in
-  match
-    List.filter_map Fun.id
-      [ channel "red" r; channel "green" g; channel "blue" b ]
-  with
-  | [] -> ""
-  | channels -> "; over-exposed: " ^ Words.list channels ^ ", shown as 255"
-
-let reason (e : Explain.t) =
-  let article, what =
-    match e.outcome with
-    | Hit _ -> (Words.a, "")
-    | Missed ->
-        ((fun phrase -> "the " ^ phrase), ", since the ray hits nothing")
-    | Chain_ended -> ((fun phrase -> "the " ^ phrase), "")
-  in
-  describe ~depth:e.left ~article (path e) ^ what ^ over_exposed e.color
-
-let subject ?pixel (e : Explain.t) =
-  let r, g, b = Color.to_bytes e.color in
-  let what =
-    match pixel with
-    | None -> "the ray"
-    | Some (x, y) -> Printf.sprintf "pixel (%d, %d)" x y
-  in
-  Printf.sprintf "%s is rgb %d %d %d" what r g b
-
-let of_pixel ({ x; y; _ } as pixel : Explain.pixel) =
-  let e = Explain.centre pixel in
-  subject ~pixel:(x, y) e ^ ": " ^ reason e
-
-let to_string ?pixel e = subject ?pixel e ^ ": " ^ reason e
+let of_pixel pixel = pixel_subject pixel ^ ": " ^ pixel_reason pixel

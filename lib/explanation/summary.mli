@@ -1,26 +1,25 @@
-(** One sentence that says why a ray has its colour.
-
-    Such as
-    [a mirror (sphere 4, line 34) that shows the red sphere (object 2, line
-     30), lit by light 1, in the shadow of sphere 3 (line 32) from light 2]. It
-    names what is hit, the lights that reach it, those that are blocked, and by
-    what, and those that it is turned away from; and follows mirrors. Of long
-    chains it tells both ends. If a diffusive surface stays black it says why,
-    and also if a channel is brighter than a picture can show. *)
+(** In a sentence: which colour a ray or a pixel has, and why. *)
 
 open Raylab_tracer
 
-val reason : Explain.t -> string
-(** [reason e] is the sentence about [e], on one line, without a full stop. *)
+val subject : Explain.t -> string
+(** [subject e] is [the ray is rgb 200 75 49], with the bytes that a picture
+    would show. *)
 
-val subject : ?pixel:int * int -> Explain.t -> string
-(** [subject ~pixel:(320, 240) e] is [pixel (320, 240) is rgb 200 75 49], with
-    the bytes that a picture shows; without a pixel it starts with [the ray].
-*)
+val to_string : Explain.t -> string
+(** [to_string e] is {!subject}, a colon, and {!Reason.of_ray}. *)
+
+(** {1 Pixels} *)
+
+val pixel_subject : Explain.pixel -> string
+(** [pixel_subject pixel] is [pixel (320, 240) is rgb 200 75 49]. *)
+
+val pixel_reason : Explain.pixel -> string
+(** [pixel_reason pixel] is {!Reason.of_ray} if [pixel] has one sample, and
+    otherwise what its {{!Group}groups} see:
+    [9 of 16 samples see the red sphere (object 2, line 30), in the shadow of
+     sphere 3 (line 32) from light 1; 7 see the blue background], and how many
+    are over-exposed. Of many groups only the largest are told. *)
 
 val of_pixel : Explain.pixel -> string
-(** [of_pixel pixel] is the sentence about [pixel], with its bytes before it.
-*)
-
-val to_string : ?pixel:int * int -> Explain.t -> string
-(** [to_string ~pixel e] is {!subject}, a colon, and {!reason}. *)
+(** [of_pixel pixel] is {!pixel_subject}, a colon, and {!pixel_reason}. *)

@@ -35,7 +35,7 @@ let[@inline] restore (ray : Raw_ray.t) ox oy oz dx dy dz reach =
    before. *)
 let offer own_offer { own; back; _ } (ray : Raw_ray.t) (meeting : Meeting.t)
     ~number =
-  let { Raw_ray.ox; oy; oz; dx; dy; dz; reach } = ray in
+  let { Raw_ray.ox; oy; oz; dx; dy; dz; reach; _ } = ray in
   let length = Affine.stretch back ray in
   if is_length length then (
     let { Meeting.number = met_number; part = met_part; _ } = meeting in
@@ -52,7 +52,7 @@ let offer own_offer { own; back; _ } (ray : Raw_ray.t) (meeting : Meeting.t)
     if is_met then Meeting.offer meeting ray ~number ~part t)
 
 let settle own_settle { own; out; back; _ } ~part (ray : Raw_ray.t) spot =
-  let { Raw_ray.ox; oy; oz; dx; dy; dz; reach } = ray in
+  let { Raw_ray.ox; oy; oz; dx; dy; dz; reach; _ } = ray in
   let length = Affine.stretch back ray in
   Affine.bring back ray length;
   ray.reach <- reach *. length;
@@ -61,7 +61,7 @@ let settle own_settle { own; out; back; _ } ~part (ray : Raw_ray.t) spot =
   Affine.bring_spot ~out ~back ray spot
 
 let crossings own_crossings { own; back; _ } (ray : Raw_ray.t) found =
-  let { Raw_ray.ox; oy; oz; dx; dy; dz; reach } = ray in
+  let { Raw_ray.ox; oy; oz; dx; dy; dz; reach; _ } = ray in
   let length = Affine.stretch back ray in
   if is_length length then (
     Affine.bring back ray length;

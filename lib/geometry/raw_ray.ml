@@ -6,10 +6,20 @@ type t = {
   mutable dy : float;
   mutable dz : float;
   mutable reach : float;
+  mutable seed : float;
 }
 
 let create () =
-  { ox = 0.; oy = 0.; oz = 0.; dx = 0.; dy = 0.; dz = 1.; reach = infinity }
+  {
+    ox = 0.;
+    oy = 0.;
+    oz = 0.;
+    dx = 0.;
+    dy = 0.;
+    dz = 1.;
+    reach = infinity;
+    seed = 0.;
+  }
 
 let[@inline] set_origin ray x y z =
   ray.ox <- x;

@@ -12,6 +12,9 @@ type t = {
   mutable dy : float;
   mutable dz : float;  (** the direction, of length 1 *)
   mutable reach : float;  (** hits at this distance or beyond do not count *)
+  mutable seed : float;
+      (** a number on which may depend what is placed at random; 0 for a ray
+          that is made by hand *)
 }
 
 val create : unit -> t

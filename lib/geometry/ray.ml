@@ -2,7 +2,16 @@ type t = Raw_ray.t
 
 let[@inline] flat (o : Vec3.t) (d : Direction.t) reach =
   let d = (d :> Vec3.t) in
-  { Raw_ray.ox = o.x; oy = o.y; oz = o.z; dx = d.x; dy = d.y; dz = d.z; reach }
+  {
+    Raw_ray.ox = o.x;
+    oy = o.y;
+    oz = o.z;
+    dx = d.x;
+    dy = d.y;
+    dz = d.z;
+    reach;
+    seed = 0.;
+  }
 
 let make ~origin ~direction = flat origin direction infinity
 
@@ -19,6 +28,7 @@ let of_raw (register : Raw_ray.t) = { register with ox = register.ox }
 let to_raw = of_raw
 let origin (ray : t) = Vec3.make ray.ox ray.oy ray.oz
 let reach (ray : t) = ray.reach
+let seed (ray : t) = ray.seed
 
 (* The only way in is [flat], so the length is still 1. *)
 let direction (ray : t) =

@@ -5,7 +5,7 @@ type t = private Raw_ray.t
 
 val make : origin:Vec3.t -> direction:Direction.t -> t
 (** [make ~origin ~direction] is the ray without end from [origin] along
-    [direction]. *)
+    [direction]. Its seed is 0. *)
 
 val towards : origin:Vec3.t -> target:Vec3.t -> short:float -> t option
 (** [towards ~origin ~target ~short] is the ray from [origin] in the direction
@@ -28,6 +28,11 @@ val direction : t -> Direction.t
 val reach : t -> float
 (** [reach ray] is the distance from which on hits do not count: [infinity]
     unless the ray goes {!towards} a point. *)
+
+val seed : t -> float
+(** [seed ray] is a number on which may depend what is placed at random for
+    [ray]: a fixed function of pixel and sample for a ray of a picture, which
+    the rays after it inherit; 0 for a ray that is made by hand. *)
 
 val at : t -> float -> Vec3.t
 (** [at ray t] is the point of [ray] at distance [t]. *)

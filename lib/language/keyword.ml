@@ -75,6 +75,20 @@ let settings : t list =
     row "raydepth" RAYDEPTH "RAYDEPTH"
       [ ("number", "the number of rays in a chain after raydepth, such as 4") ]
       "how many rays are in a chain at most";
+    row "samples" SAMPLES "SAMPLES"
+      [ ("number", "the number of samples of a pixel after samples, such as \
+                    16") ]
+      "how many samples a pixel takes at most";
+    row "exposure" EXPOSURE "EXPOSURE"
+      [ ("number", "the factor of all brightness after exposure, such as 1.5") ]
+      "how much brighter all is shown";
+    row "srgb" SRGB "SRGB" [] "shows colours by the sRGB curve, as screens expect";
+    row "aperture" APERTURE "APERTURE"
+      [ ("number", "the radius of the lens after aperture, such as 0.1") ]
+      "the radius of the lens";
+    row "focus" FOCUS "FOCUS"
+      [ ("number", "the distance that is sharp after focus, such as 5") ]
+      "the distance from the eye at which all is sharp";
   ]
 [@@ocamlformat "disable"]
 

@@ -46,6 +46,8 @@ let modifier change loc = { Syntax.change; span = span loc }
 %token CANV_WIDTH "canvWidth" CANV_HEIGHT "canvHeight"
 %token DEPTH "depth" BCOLOR "bcolor" RAYDEPTH "raydepth"
 %token EYE "eye" LOOK_AT "lookAt" UP "up" FOV "fov"
+%token SAMPLES "samples" EXPOSURE "exposure" SRGB "srgb"
+%token APERTURE "aperture" FOCUS "focus"
 %token LIGHTS "lights" DIRECTIONAL "directional" SPHERICAL "spherical"
 %token OBJECTS "objects" SPHERE "sphere" PLANE "plane" GROUP "group"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
@@ -104,6 +106,11 @@ setting:
   | "fov" n = atom { setting "fov" $loc($1) (Settings.fov n) }
   | "raydepth" n = atom { setting "raydepth" $loc($1) (Settings.raydepth n) }
   | "bcolor" c = color { setting "bcolor" $loc($1) (Settings.bcolor c) }
+  | "samples" n = atom { setting "samples" $loc($1) (Settings.samples n) }
+  | "exposure" n = atom { setting "exposure" $loc($1) (Settings.exposure n) }
+  | "srgb" { setting "srgb" $loc($1) Settings.srgb }
+  | "aperture" n = atom { setting "aperture" $loc($1) (Settings.aperture n) }
+  | "focus" n = atom { setting "focus" $loc($1) (Settings.focus n) }
 
 (* {1 Items}, the last one first *)
 

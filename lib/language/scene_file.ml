@@ -145,6 +145,16 @@ let print_shape ppf shape =
   Format.pp_print_string ppf (Shape.name shape);
   List.iter (print_parameter ppf) (Shape.parameters shape)
 
+let print_lens ppf { Lens.aperture; focus } =
+  if aperture > 0. then Format.fprintf ppf "aperture %s@\n" (number aperture);
+  Option.iter (fun f -> Format.fprintf ppf "focus %s@\n" (number f)) focus
+
+(* What is not as it is by itself. *)
+let print_film ppf { Film.samples; exposure; srgb } =
+  if samples <> 1 then Format.fprintf ppf "samples %d@\n" samples;
+  if exposure <> 1. then Format.fprintf ppf "exposure %s@\n" (number exposure);
+  if srgb then Format.fprintf ppf "srgb@\n"
+
 let print_surface = Surface.pp_with print_number
 
 let print_viewpoint ppf { Viewpoint.eye; look_at; up; _ } =
@@ -168,6 +178,8 @@ let print ppf (scene : Scene.t) =
   print_camera ppf scene.camera;
   Format.fprintf ppf "bcolor %s@\n" (color scene.background);
   Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
+  print_lens ppf scene.lens;
+  print_film ppf scene.film;
   if scene.lights <> [] then Format.fprintf ppf "lights@\n";
   List.iter (print_light ppf) scene.lights;
   Format.fprintf ppf "objects@\n";

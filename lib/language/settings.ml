@@ -14,6 +14,9 @@ type t = {
   up : Vec3.t option;
   ray_depth : int option;
   background : Color.t option;
+  film : Film.t;
+  aperture : float;
+  focus : float option;
 }
 
 type change = (t -> t) Written.t
@@ -31,6 +34,9 @@ let none =
     up = None;
     ray_depth = None;
     background = None;
+    film = Film.default;
+    aperture = 0.;
+    focus = None;
   }
 
 let viewpoint { depth; eye; look_at; up; _ } =
@@ -57,10 +63,13 @@ let camera s =
         |> Camera.with_viewpoint viewpoint)
   | _ -> None
 
-let scene ({ background; ray_depth; _ } as s) ~files ~lights ~objects =
+let scene s ~files ~lights ~objects =
+  let { background; ray_depth; film; aperture; focus; _ } = s in
+  let lens = Lens.make ?focus aperture in
   match camera s with
   | Some camera ->
-      Scene.make camera ?background ?ray_depth ~files ~lights ~objects
+      Scene.make camera ~film ~lens ?background ?ray_depth ~files ~lights
+        ~objects
   | None -> invalid_arg "Settings.scene: no camera"
 
 (* {1 Words} *)
@@ -99,3 +108,20 @@ let raydepth e =
 
 let bcolor e =
   sets (color "bcolor" e) (fun c s -> { s with background = Some c })
+
+let change_film with_ value s = { s with film = with_ value s.film }
+
+let samples e =
+  sets
+    (whole ~least:1 ~most:Film.max_samples "samples" e)
+    (change_film Film.with_samples)
+
+let exposure e =
+  sets (number Positive "exposure" e) (change_film Film.with_exposure)
+
+let srgb = Written { make = change_film Film.with_srgb true; parameters = [] }
+
+let aperture e =
+  sets (number Non_negative "aperture" e) (fun x s -> { s with aperture = x })
+
+let focus e = sets (length "focus" e) (fun x s -> { s with focus = Some x })

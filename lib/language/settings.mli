@@ -17,6 +17,9 @@ type t = private {
   up : Vec3.t option;
   ray_depth : int option;
   background : Color.t option;
+  film : Film.t;
+  aperture : float;
+  focus : float option;
 }
 (** The type for what the settings of a header say. *)
 
@@ -55,3 +58,8 @@ val look_at : Expression.t -> change
 val up : Expression.t -> change
 val raydepth : Expression.t -> change
 val bcolor : Expression.t -> change
+val samples : Expression.t -> change
+val exposure : Expression.t -> change
+val srgb : change
+val aperture : Expression.t -> change
+val focus : Expression.t -> change

@@ -38,7 +38,7 @@ let rows =
     ( "canvHeight",
       "height canvas canvas-height canvas-size screen screen-height viewport \
        viewport-height window film" );
-    ("depth", "distance eye-distance focal-length focal focus zoom lens");
+    ("depth", "distance eye-distance focal-length focal zoom lens");
     ( "eye",
       "camera viewer viewpoint observer camera-position eye-position location \
        look-from from" );
@@ -51,6 +51,17 @@ let rows =
       "max-depth maximum-depth recursion recursion-depth recursion-limit \
        max-recursion trace-depth trace-level max-trace-level bounces \
        max-bounces reflections" );
+    ( "samples",
+      "sample antialias antialiasing anti-aliasing aa smooth smoothing \
+       supersampling oversampling subpixels spp samples-per-pixel" );
+    ("exposure", "expose brightness bright gain iso ev");
+    ("srgb", "gamma gamma-correction encoding color-space colour-space");
+    ( "aperture",
+      "lens lens-radius iris f-stop fstop blur bokeh defocus dof \
+       depth-of-field" );
+    ( "focus",
+      "focal focal-distance focus-distance focal-plane focal-point dof \
+       depth-of-field" );
     ("cyan", "aqua");
     ("magenta", "fuchsia");
     ("green", "lime");

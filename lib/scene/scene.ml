@@ -2,6 +2,8 @@ open Raylab_source
 
 type t = {
   camera : Camera.t;
+  lens : Lens.t;
+  film : Film.t;
   background : Color.t;
   ray_depth : int;
   lights : Light.t list;
@@ -19,17 +21,20 @@ let require_ray_depth ray_depth =
       (Printf.sprintf "the ray depth must be from 0 to %d, not %d"
          max_ray_depth ray_depth)
 
-let make ?(background = Color.black) ?(ray_depth = default_ray_depth)
-    ?(lights = []) ?(objects = []) ?(files = Files.none) camera =
+let make ?(lens = Lens.pinhole) ?(film = Film.default)
+    ?(background = Color.black) ?(ray_depth = default_ray_depth) ?(lights = [])
+    ?(objects = []) ?(files = Files.none) camera =
   require_background background;
   require_ray_depth ray_depth;
-  { camera; background; ray_depth; lights; objects; files }
+  { camera; lens; film; background; ray_depth; lights; objects; files }
 
 let place scene : Origin.t -> Place.t option = function
   | Unknown -> None
   | Literal offset -> Files.place scene.files offset
 
 let with_camera camera scene = { scene with camera }
+let with_lens lens scene = { scene with lens }
+let with_film film scene = { scene with film }
 
 let with_background background scene =
   require_background background;
@@ -74,6 +79,9 @@ let warnings scene =
         "there is no light: diffusive surfaces are black" );
       ( (fun () -> scene.ray_depth = 1 && some_object mirrors),
         "raydepth is 1: mirrors show nothing but the background" );
+      ( (fun () -> Lens.is_open scene.lens && scene.film.samples = 1),
+        "samples is 1: whatever the aperture, everything is sharp; say \
+         samples 64 or so" );
     ]
   @ Option.to_list (Option.map distorted (Proportions.distortion scene.camera))
   @ List.map
@@ -85,6 +93,7 @@ let warnings scene =
 
 let equal a b =
   Camera.equal a.camera b.camera
+  && Lens.equal a.lens b.lens && Film.equal a.film b.film
   && Color.equal a.background b.background
   && a.ray_depth = b.ray_depth
   && List.equal Light.equal a.lights b.lights
@@ -95,6 +104,9 @@ let shown_objects = 10
 let pp ppf scene =
   Format.fprintf ppf "@[<v>scene of %d x %d pixels, %a" scene.camera.width
     scene.camera.height Camera.pp_view scene.camera;
+  if Lens.is_open scene.lens then Format.fprintf ppf "@,%a" Lens.pp scene.lens;
+  if not (Film.equal scene.film Film.default) then
+    Format.fprintf ppf "@,%a" Film.pp scene.film;
   Format.fprintf ppf "@,background %a, ray depth %d" Color.pp scene.background
     scene.ray_depth;
   List.iteri

@@ -5,6 +5,8 @@ open Raylab_source
 
 type t = private {
   camera : Camera.t;
+  lens : Lens.t;
+  film : Film.t;
   background : Color.t;
   ray_depth : int;
       (** rays in a chain at most, the primary ray included; at least 0 *)
@@ -16,6 +18,8 @@ type t = private {
     these lists, from 1. *)
 
 val make :
+  ?lens:Lens.t ->
+  ?film:Film.t ->
   ?background:Color.t ->
   ?ray_depth:int ->
   ?lights:Light.t list ->
@@ -23,9 +27,10 @@ val make :
   ?files:Files.t ->
   Camera.t ->
   t
-(** [make camera] is the scene seen by [camera]. [background] defaults to
-    {!Color.black}, [ray_depth] to {!default_ray_depth}, [lights], [objects]
-    and [files] to none.
+(** [make camera] is the scene seen by [camera]. [lens] defaults to
+    {!Lens.pinhole}, [film] to {!Film.default}, [background] to {!Color.black},
+    [ray_depth] to {!default_ray_depth}, [lights], [objects] and [files] to
+    none.
 
     Raises [Invalid_argument] if [ray_depth] is negative or greater than
     {!max_ray_depth}, or a channel of [background] is negative or not finite.
@@ -44,6 +49,12 @@ val max_ray_depth : int
 
 val with_camera : Camera.t -> t -> t
 (** [with_camera camera scene] is [scene] seen by [camera]. *)
+
+val with_lens : Lens.t -> t -> t
+(** [with_lens lens scene] is [scene] seen through this lens. *)
+
+val with_film : Film.t -> t -> t
+(** [with_film film scene] is [scene] taken on this film. *)
 
 val with_background : Color.t -> t -> t
 (** [with_background color scene] is [scene] before this background. *)

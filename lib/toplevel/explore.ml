@@ -72,7 +72,7 @@ let why x y = Console.summary (pixel x y)
 
 let primary x y =
   check_pixel x y;
-  Camera.primary_ray (scene ()).camera ~x ~y
+  Sample_ray.make (scene ()) ~x ~y 0
 
 let trace ray = Tracer.color (Session.trace ()) ray
 let hit ray = Tracer.nearest_hit (Session.trace ()) ray

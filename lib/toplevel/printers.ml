@@ -107,7 +107,7 @@ let picture ppf p =
   Format.fprintf ppf "picture of %d x %d pixels" (Picture.width p)
     (Picture.height p)
 
-let tally ppf { Tally.primary; reflected; shadow; hits; blocked } =
+let tally ppf { Tally.primary; reflected; shadow; hits; blocked; _ } =
   Format.fprintf ppf
     "@[<hov 2>%d primary,@ %d reflected@ and %d shadow rays,@ %d hits,@ %d \
      lights blocked@]"

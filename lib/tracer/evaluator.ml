@@ -126,9 +126,9 @@ let color t r =
   load t r;
   evaluate t
 
-let pixel t ~x ~y =
+let sample t ~x ~y k =
   t.tally.primary <- t.tally.primary + 1;
-  Camera.aim t.prepared.scene.camera ~x ~y ~dx:0.5 ~dy:0.5 t.ray;
+  Sample_ray.aim t.prepared.scene ~x ~y k t.ray;
   evaluate t
 
 let nearest_hit t r =

@@ -24,8 +24,9 @@ val color : t -> Ray.t -> Color.t
     Raises {!Chain.Too_long} if the chain of mirrored rays does not fit on the
     stack. [t] can then be asked for other rays. *)
 
-val pixel : t -> x:int -> y:int -> Color.t
-(** [pixel t ~x ~y] is the colour of the primary ray of pixel [(x, y)].
+val sample : t -> x:int -> y:int -> int -> Color.t
+(** [sample t ~x ~y k] is the colour of the ray of sample [k] of pixel
+    [(x, y)]; see {!Raylab_scene.Sample_ray}.
 
     Raises {!Chain.Too_long} like {!color}. *)
 

@@ -169,11 +169,26 @@ let light e =
 
 (* {1 Pixels} *)
 
-type pixel = { x : int; y : int; samples : t list; color : Color.t }
+type sample = { color : Color.t; ray : t }
 
-let pixel scene ~x ~y =
-  let camera = scene.Prepared.scene.camera in
-  let e = ray scene (Camera.primary_ray camera ~x ~y) in
-  { x; y; samples = [ e ]; color = e.color }
+type pixel = {
+  x : int;
+  y : int;
+  film : Film.t;
+  samples : sample list;
+  cause : Sampler.neighbour option;
+  color : Color.t;
+}
 
-let centre pixel = List.hd pixel.samples
+let pixel prepared ~x ~y =
+  let scene = prepared.Prepared.scene in
+  let { Scene.film; _ } = scene and sampler = Sampler.create prepared in
+  let color = Sampler.lone_pixel sampler ~x ~y in
+  let sample k =
+    let ray = ray prepared (Sample_ray.make scene ~x ~y k) in
+    { color = Film.expose film ray.color; ray }
+  in
+  let samples = List.init (Sampler.taken sampler) sample in
+  { x; y; film; samples; cause = Sampler.cause sampler ~x ~y; color }
+
+let centre pixel = (List.hd pixel.samples).ray

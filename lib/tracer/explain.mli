@@ -96,11 +96,22 @@ val light : t -> Color.t
 
 (** {1 Pixels} *)
 
+type sample = {
+  color : Color.t;  (** of [ray], exposed: times the exposure, in \[0, 1\] *)
+  ray : t;
+}
+(** The type for samples of a pixel. *)
+
 type pixel = {
   x : int;
   y : int;  (** from the top *)
-  samples : t list;  (** at least one, and the first through the centre *)
-  color : Color.t;  (** their mean *)
+  film : Film.t;  (** of the scene *)
+  samples : sample list;  (** at least one, and the first through the centre *)
+  cause : Sampler.neighbour option;
+      (** the pixel beside it because of which it has several samples *)
+  color : Color.t;
+      (** the mean of the samples: their sum, added from the left, divided by
+          their number *)
 }
 (** The type for explanations of a pixel. *)
 
@@ -108,4 +119,4 @@ val pixel : Prepared.t -> x:int -> y:int -> pixel
 (** [pixel scene ~x ~y] explains [Tracer.pixel scene ~x ~y]. *)
 
 val centre : pixel -> t
-(** [centre pixel] is the first sample. *)
+(** [centre pixel] is the ray of the first sample. *)

@@ -62,6 +62,7 @@ let gather t =
   let lights = t.prepared.lights in
   Raw_color.set t.light 0. 0. 0.;
   Spot.start t.spot t.shadow_ray;
+  t.shadow_ray.seed <- t.ray.seed;
   for k = 0 to Array.length lights - 1 do
     add t (k + 1) (Array.unsafe_get lights k)
   done

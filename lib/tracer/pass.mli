@@ -10,10 +10,21 @@ type t
 val whole : t
 (** [whole] is all pixels in one pass. *)
 
+val smooth : t
+(** [smooth] is all pixels with all their samples in one pass. Other passes
+    show their centres. *)
+
+val is_smooth : t -> bool
+(** [is_smooth pass] is whether [pass] is {!smooth}. *)
+
 val coarse_to_fine : width:int -> height:int -> t array
 (** [coarse_to_fine ~width ~height] is passes that together compute each pixel
     of a picture of this size once, of which the first computes at most
     {!most_at_first}. *)
+
+val coarse_to_smooth : width:int -> height:int -> t array
+(** [coarse_to_smooth ~width ~height] is likewise what comes before {!smooth}:
+    the last of these computes every second pixel of every second row. *)
 
 val most_at_first : int
 (** [most_at_first] is 5,000: so few pixels are seen at once. *)

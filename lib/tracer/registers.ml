@@ -36,4 +36,5 @@ let load t (r : Ray.t) =
   let r = (r :> Raw_ray.t) in
   Raw_ray.set_origin t.ray r.ox r.oy r.oz;
   Raw_ray.set_direction t.ray r.dx r.dy r.dz;
-  t.ray.reach <- r.reach
+  t.ray.reach <- r.reach;
+  t.ray.seed <- r.seed

@@ -1,4 +1,5 @@
 open Raylab_parallel
+open Raylab_scene
 
 type rows = { first : int; last : int }
 
@@ -18,6 +19,7 @@ let blank ?rows scene =
 
 (* Fills [picture], which shows [rows], pass by pass and tile by tile. *)
 let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
+  let film = scene.Prepared.scene.film in
   let first_row = match rows with None -> 0 | Some { first; _ } -> first in
   let width = Picture.width picture and height = Picture.height picture in
   let counts = Array.map (Pass.count ~width ~height) passes in
@@ -27,41 +29,65 @@ let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
     else nth (p + 1) (k - counts.(p))
   in
   let stopped = Option.value stop ~default:(fun () -> false) in
-  let work evaluator k =
+  let work sampler k =
     let pass, tile = nth 0 k in
+    let color =
+      if Pass.is_smooth pass then (
+        Sampler.prepare ?stop sampler { tile with top = first_row + tile.top };
+        Sampler.pixel)
+      else if film.samples = 1 then Sampler.pixel
+      else Sampler.centre
+    in
     Pass.iter pass tile (fun ~x ~y ->
         if not (stopped ()) then
           Picture.set picture ~x ~y
-            (Evaluator.pixel evaluator ~x ~y:(first_row + y)));
+            (Film.encode film (color sampler ~x ~y:(first_row + y))));
     if not (stopped ()) then on_tile pass tile
   in
   Parallel.iter ~domains ?stop ?on_progress
     ~count:(Array.fold_left ( + ) 0 counts)
-    ~worker:(fun () -> Evaluator.create scene)
+    ~worker:(fun () -> Sampler.create scene)
     work
-  |> List.map Evaluator.tally |> Tally.sum
+  |> List.map Sampler.tally |> Tally.sum
+
+let has_samples scene = scene.Prepared.scene.film.samples > 1
 
 let picture ?(domains = Parallel.default_domains ()) ?rows
     ?(on_progress = ignore) scene =
   let picture = blank ?rows scene in
+  let pass = if has_samples scene then Pass.smooth else Pass.whole in
   let count =
-    Pass.count Pass.whole ~width:(Picture.width picture)
+    Pass.count pass ~width:(Picture.width picture)
       ~height:(Picture.height picture)
   in
   let tally =
     fill ~domains ?rows picture scene
       ~on_progress:(fun n ->
         on_progress (float_of_int n /. float_of_int count))
-      ~passes:[| Pass.whole |]
+      ~passes:[| pass |]
       ~on_tile:(fun _ _ -> ())
   in
   on_progress 1.;
   (picture, tally)
 
+let passes picture scene =
+  let width = Picture.width picture and height = Picture.height picture in
+  if has_samples scene then
+    Array.append (Pass.coarse_to_smooth ~width ~height) [| Pass.smooth |]
+  else Pass.coarse_to_fine ~width ~height
+
 let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile
     picture scene =
-  let ((width, height) as size) = size ?rows scene in
+  let size = size ?rows scene in
   if size <> (Picture.width picture, Picture.height picture) then
     invalid_arg "a picture of another size";
-  fill ~domains ?rows ?stop picture scene ~on_tile
-    ~passes:(Pass.coarse_to_fine ~width ~height)
+  let fill passes =
+    let passes = Array.of_list passes in
+    fill ~domains ?rows ?stop picture scene ~on_tile ~passes
+  in
+  (* a centre must not come after all samples of its pixel *)
+  let smooth, coarse =
+    List.partition Pass.is_smooth (Array.to_list (passes picture scene))
+  in
+  let first = fill coarse in
+  Tally.sum [ first; fill smooth ]

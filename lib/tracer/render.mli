@@ -33,6 +33,11 @@ val blank : ?rows:rows -> Prepared.t -> Picture.t
 
     Raises [Invalid_argument] if [rows] are not rows of the picture. *)
 
+val passes : Picture.t -> Prepared.t -> Pass.t array
+(** [passes picture scene] is the passes in which {!refine} fills [picture]. If
+    there are several samples, all pixels are computed once more in the last.
+*)
+
 val refine :
   ?domains:int ->
   ?rows:rows ->

@@ -4,10 +4,20 @@ type t = {
   mutable shadow : int;
   mutable hits : int;
   mutable blocked : int;
+  mutable samples : int;
+  mutable over_exposed : int;
 }
 
 let create () =
-  { primary = 0; reflected = 0; shadow = 0; hits = 0; blocked = 0 }
+  {
+    primary = 0;
+    reflected = 0;
+    shadow = 0;
+    hits = 0;
+    blocked = 0;
+    samples = 0;
+    over_exposed = 0;
+  }
 
 let rays tally = tally.primary + tally.reflected + tally.shadow
 
@@ -18,6 +28,8 @@ let add a b =
     shadow = a.shadow + b.shadow;
     hits = a.hits + b.hits;
     blocked = a.blocked + b.blocked;
+    samples = a.samples + b.samples;
+    over_exposed = a.over_exposed + b.over_exposed;
   }
 
 let sum tallies = List.fold_left add (create ()) tallies

@@ -6,6 +6,11 @@ type t = {
   mutable shadow : int;  (** rays towards lights *)
   mutable hits : int;  (** primary and reflected rays that hit an object *)
   mutable blocked : int;  (** shadow rays that did not reach their light *)
+  mutable samples : int;
+      (** of all pixels; with several samples there are primary rays besides,
+          from which it was seen that a pixel needs them *)
+  mutable over_exposed : int;
+      (** pixels of which a sample was brighter than a picture can show *)
 }
 (** The type for tallies. Each domain counts in one of its own. *)
 

@@ -1,5 +1,5 @@
 let color prepared ray = Evaluator.color (Evaluator.create prepared) ray
-let pixel prepared ~x ~y = Evaluator.pixel (Evaluator.create prepared) ~x ~y
+let pixel prepared ~x ~y = Sampler.lone_pixel (Sampler.create prepared) ~x ~y
 
 let nearest_hit prepared ray =
   Evaluator.nearest_hit (Evaluator.create prepared) ray

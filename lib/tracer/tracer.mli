@@ -23,8 +23,9 @@ val color : Prepared.t -> Ray.t -> Color.t
     depth. Each channel is finite and not negative. *)
 
 val pixel : Prepared.t -> x:int -> y:int -> Color.t
-(** [pixel prepared ~x ~y] is the colour of the primary ray of pixel [(x, y)],
-    y from the top. *)
+(** [pixel prepared ~x ~y] is the colour of pixel [(x, y)], y from the top: the
+    mean of its samples, each times the exposure and brought into \[0, 1\].
+    What the picture shows is {!Raylab_scene.Film.encode} of it. *)
 
 val nearest_hit : Prepared.t -> Ray.t -> Hit.t option
 (** [nearest_hit prepared ray] is the first hit of [ray], or [None] if it hits

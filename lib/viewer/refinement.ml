@@ -6,28 +6,35 @@ type t = {
   passes : Pass.t array;
   passes_done : int array;  (** a set of bits *)
   steps : int array;  (** {!step} *)
-  mutable pixels_known : int;
+  pixels : float;  (** of all passes *)
+  mutable pixels_known : float;
 }
 
 let picture r = r.picture
 let size r = (Picture.width r.picture, Picture.height r.picture)
 
-let make picture ~step ~pixels_known =
+let make picture ~passes ~step ~pixels ~pixels_known =
   let width = Picture.width picture and height = Picture.height picture in
   let squares = Tile.count ~side:Tile.side ~width ~height in
   {
     picture;
-    passes = Pass.coarse_to_fine ~width ~height;
+    passes;
     passes_done = Array.make squares 0;
     steps = Array.make squares step;
+    pixels;
     pixels_known;
   }
 
-let start picture = make picture ~step:0 ~pixels_known:0
+let pixels pass tile = float_of_int (Pass.pixels pass tile)
+
+let start ~passes picture =
+  let width = Picture.width picture and height = Picture.height picture in
+  let add sum pass = sum +. pixels pass { left = 0; top = 0; width; height } in
+  let pixels = Array.fold_left add 0. passes in
+  make picture ~passes ~step:0 ~pixels ~pixels_known:0.
 
 let complete picture =
-  let pixels_known = Picture.width picture * Picture.height picture in
-  make picture ~step:1 ~pixels_known
+  make picture ~passes:[||] ~step:1 ~pixels:1. ~pixels_known:1.
 
 let across r = (Picture.width r.picture + Tile.side - 1) / Tile.side
 let square_at r x y = (y / Tile.side * across r) + (x / Tile.side)
@@ -57,12 +64,9 @@ let note r pass (tile : Tile.t) =
       note_square r bit (first + (j * across) + i)
     done
   done;
-  r.pixels_known <- r.pixels_known + Pass.pixels pass tile
+  r.pixels_known <- r.pixels_known +. pixels pass tile
 
-let part r =
-  let width, height = size r in
-  float_of_int r.pixels_known /. (float_of_int width *. float_of_int height)
-
+let part r = r.pixels_known /. r.pixels
 let step r ~x ~y = r.steps.(square_at r x y)
 
 let color r ~x ~y =

@@ -8,8 +8,9 @@ open Raylab_tracer
 type t
 (** The type for pictures on the way. *)
 
-val start : Picture.t -> t
-(** [start picture] is [picture] with nothing known of it. *)
+val start : passes:Pass.t array -> Picture.t -> t
+(** [start ~passes picture] is [picture] with nothing known of it, which is
+    filled in [passes]. *)
 
 val complete : Picture.t -> t
 (** [complete picture] is [picture] with every pixel known. *)
@@ -24,7 +25,8 @@ val note : t -> Pass.t -> Tile.t -> unit
 (** [note r pass tile] notes that [pass] of [tile] is done. *)
 
 val part : t -> float
-(** [part r] is which part of the pixels is known, from 0 to 1. *)
+(** [part r] is which part of the pixels of all passes is known, from 0 to 1.
+*)
 
 val step : t -> x:int -> y:int -> int
 (** [step r ~x ~y] is the side of the block around pixel [(x, y)] of which one

@@ -1,4 +1,6 @@
+open Raylab_scene
 open Raylab_tracer
+open Raylab_explanation
 open Raylab_drawing
 
 type t = { scene : Prepared.t; refinement : Refinement.t; first_row : int }
@@ -29,5 +31,5 @@ let explain { scene; first_row; _ } (x, y) =
   Explain.pixel scene ~x ~y:(y + first_row)
 
 let overlay { scene; first_row; _ } explanation =
-  Overlay.make scene.Prepared.scene.camera ~first_row
-    (Path.of_explanation (Explain.centre explanation))
+  let { Scene.camera; film; _ } = scene.Prepared.scene in
+  Overlay.make camera ~first_row (Path.of_rays film (Group.rays explanation))

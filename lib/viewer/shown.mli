@@ -26,4 +26,5 @@ val explain : t -> int * int -> Explain.pixel
 (** [explain shown (x, y)] explains pixel [(x, y)] of [shown]. *)
 
 val overlay : t -> Explain.pixel -> Overlay.t
-(** [overlay shown explanation] is the path of [explanation] over [shown]. *)
+(** [overlay shown explanation] is the path of [explanation] over [shown]: the
+    rays of one sample of each {!Raylab_explanation.Group}. *)

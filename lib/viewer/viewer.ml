@@ -127,7 +127,9 @@ let news v (news : Rendering.news) =
       let v = { v with stage = In_error message; save_when_whole = false } in
       (draw_all v, [ Tell message ])
   | Began { scene; picture; first_row }, _ ->
-      begin_ v { scene; first_row; refinement = Refinement.start picture }
+      let passes = Render.passes picture scene in
+      let refinement = Refinement.start ~passes picture in
+      begin_ v { scene; first_row; refinement }
   | Tile (pass, tile), Some { refinement; _ } ->
       Refinement.note refinement pass tile;
       let { Tile.left; top; width; height } = tile in

@@ -23,6 +23,6 @@ let make channel ~tell =
     tell;
     explain =
       (fun pixel ->
-        let pp = Report.pp_pixel_with ~swatches in
+        let pp ppf = Report.pp_pixel_with ~swatches ppf in
         write channel (Format.asprintf "%a@.@." pp pixel));
   }

@@ -4,7 +4,8 @@ open Raylab_band
 
 let whole ~width ~height =
   let scene = Digest.string "a" in
-  { Band.width; height; grey = false; scene; version = "0.1.0" }
+  let film = Raylab_scene.Film.default in
+  { Band.width; height; grey = false; film; scene; version = "0.1.0" }
 
 (* 7, 11 and 13 have no common factor with 256. *)
 let picture ~width ~height =

@@ -6,7 +6,7 @@ open Test_support
 let whole = Sample.whole ~width:60 ~height:40
 
 let text =
-  "raylab-band 1 rows 10-19 of 60x40 rgb scene \
+  "raylab-band 2 rows 10-19 of 60x40 rgb samples 1 exposure 1 linear scene \
    0cc175b9c0f1b6a831c399e269772661 raylab 0.1.0 crc32 cbf43926"
 
 let crc = Crc32.add Crc32.empty "123456789"
@@ -40,7 +40,11 @@ let test_no_label () =
     Alcotest.(check bool) what true (Band.of_label text = None)
   in
   refused "empty" "";
-  refused "a later version" (changed "band 1" "band 2");
+  refused "a later version" (changed "band 2" "band 3");
+  refused "no samples" (changed "samples 1" "samples 0");
+  refused "no light" (changed "exposure 1" "exposure 0");
+  refused "no number" (changed "exposure 1" "exposure nan");
+  refused "another encoding" (changed "linear" "gamma");
   refused "more" (text ^ " ");
   refused "cut" (String.sub text 0 (String.length text - 1));
   refused "blanks" (changed "rows 10" "rows  10");
@@ -85,6 +89,13 @@ let test_difference () =
   check "scene" (Some "the scenes differ")
     { whole with scene = Digest.string "b" };
   check "colour" (Some "one is grey") { whole with grey = true };
+  let film = whole.film in
+  check "samples" (Some "the samples differ, 1 and 16")
+    { whole with film = Film.with_samples 16 film };
+  check "exposure" (Some "the exposures differ, 1 and 0.1")
+    { whole with film = Film.with_exposure 0.1 film };
+  check "encoding" (Some "one is srgb")
+    { whole with film = Film.with_srgb true film };
   check "version" (Some "the versions of raylab differ, 0.1.0 and 0.2.0")
     { whole with version = "0.2.0" }
 
@@ -98,10 +109,11 @@ let any_band =
     string_size (int_range 1 32)
       ~gen:(oneof [ numeral; char_range 'a' 'z'; oneofl [ '.'; '~'; '+' ] ])
   in
+  let* film = Generate.film in
   let* first = int_bound (height - 1) in
   let* last = int_range first (height - 1) in
   let whole =
-    { Band.width; height; grey; scene = Digest.string text; version }
+    { Band.width; height; grey; film; scene = Digest.string text; version }
   in
   return (Band.make whole ~first ~last)
 
@@ -123,6 +135,6 @@ let suite =
           String.length label <= 250
           && Band.of_label label = Some (band, Crc32.to_hex crc));
       Property.holds "any text is a label or none"
-        QCheck2.Gen.(map (fun s -> "raylab-band 1 rows " ^ s) string)
+        QCheck2.Gen.(map (fun s -> "raylab-band 2 rows " ^ s) string)
         (fun text -> Band.of_label text = None);
     ] )

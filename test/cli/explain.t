@@ -136,6 +136,8 @@ JSON
         "rgb": [ 51, 102, 153 ],
         "summary": "pixel (1, 0) is rgb 51 102 153: the blue background, since the ray hits nothing",
         "color": [ 0.2, 0.4, 0.6 ],
+        "film": { "samples": 1, "exposure": 1.0, "srgb": false },
+        "cause": null,
         "samples": [
           {
             "color": [ 0.2, 0.4, 0.6 ],
@@ -143,6 +145,7 @@ JSON
               "origin": [ 0.0, 0.0, -4.0 ],
               "direction": [ 0.0, 0.0, 1.0 ],
               "reach": null,
+              "seed": 287299782.0,
               "left": 4,
               "color": [ 0.2, 0.4, 0.6 ],
               "outcome": "missed",

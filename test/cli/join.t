@@ -72,9 +72,9 @@ The label
 It is text, and the same in every format.
 
   $ for format in bmp png ppm; do grep -a -o 'raylab-band.* crc32 ........' a.$format; done
-  raylab-band 1 rows 0-12 of 60x40 rgb scene fb769256cfaf860a134948ef0f073879 raylab 0.1.0 crc32 4b0cc0fa
-  raylab-band 1 rows 0-12 of 60x40 rgb scene fb769256cfaf860a134948ef0f073879 raylab 0.1.0 crc32 4b0cc0fa
-  raylab-band 1 rows 0-12 of 60x40 rgb scene fb769256cfaf860a134948ef0f073879 raylab 0.1.0 crc32 4b0cc0fa
+  raylab-band 2 rows 0-12 of 60x40 rgb samples 1 exposure 1 linear scene fb769256cfaf860a134948ef0f073879 raylab 0.1.0 crc32 2813a98d
+  raylab-band 2 rows 0-12 of 60x40 rgb samples 1 exposure 1 linear scene fb769256cfaf860a134948ef0f073879 raylab 0.1.0 crc32 2813a98d
+  raylab-band 2 rows 0-12 of 60x40 rgb samples 1 exposure 1 linear scene fb769256cfaf860a134948ef0f073879 raylab 0.1.0 crc32 2813a98d
 
 Refused
 -------
@@ -115,7 +115,7 @@ Files that are damaged, or no bands:
   $ { head -c 1000 c.bmp; printf X; tail -c +1002 c.bmp; } > changed.bmp
   $ { head -c 200 c.png; printf X; tail -c +202 c.png; } > changed.png
   $ join a.ppm cut.ppm changed.bmp changed.png b.ppm whole.bmp mirror.scene missing.ppm
-  raylab: cut.ppm: the band is damaged: it has 2000 bytes instead of 4800
+  raylab: cut.ppm: the band is damaged: it has 2000 bytes instead of 4828
   raylab: changed.bmp: the band is damaged: its pixels do not have the checksum of its label
   raylab: changed.png: the band is damaged: not all of its parts are there and right
   raylab: whole.bmp: not a band, or its label is damaged: raylab render --rows writes bands

@@ -141,6 +141,8 @@ and needs neither light nor mirror.
   hits 8
   lights blocked 4
   pixels 4
+  samples a pixel 1.000
+  over-exposed 0.00 %
   time N s
   rays per second N
 

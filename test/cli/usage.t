@@ -257,6 +257,9 @@ Help and version go to standard output. A version is no place-holder.
              Files that SCENE includes may also be in the folder DIR or below
              it, and not only in that of SCENE. It may be given several times.
   
+         --exposure=K
+             Show every colour K times as bright, whatever the scene says.
+  
          --format=FORMAT
              Write the picture in FORMAT: bmp, png or ppm. The extension of
              OUT, if there is one, must say the same.
@@ -285,6 +288,10 @@ Help and version go to standard output. A version is no place-holder.
              The picture holds just these rows, and says in its file where they
              belong: raylab join puts such bands together.
   
+         --samples=N
+             Take up to N samples of each pixel, whatever the scene says: as
+             many as the pixel needs. 1 makes edges of steps, 16 smooth ones.
+  
          --show
              Then show the picture in a window, as raylab view does. Without a
              display it is written all the same, and this is no failure.
@@ -292,6 +299,10 @@ Help and version go to standard output. A version is no place-holder.
          --size=WxH
              Make the picture WxH pixels large, whatever the scene says. It
              shows the same canvas, stretched if its proportions differ.
+  
+         --srgb
+             Show colours by the sRGB curve, as screens expect light to be
+             written. Dark colours become brighter.
   
          --stats
              Print the rays by kind, hits, time and rays per second to standard
@@ -365,6 +376,9 @@ Help and version go to standard output. A version is no place-holder.
              Files that SCENE includes may also be in the folder DIR or below
              it, and not only in that of SCENE. It may be given several times.
   
+         --exposure=K
+             Show every colour K times as bright, whatever the scene says.
+  
          --format=FORMAT
              Write the picture in FORMAT: bmp, png or ppm. The extension of
              OUT, if there is one, must say the same.
@@ -393,6 +407,10 @@ Help and version go to standard output. A version is no place-holder.
              The picture holds just these rows, and says in its file where they
              belong: raylab join puts such bands together.
   
+         --samples=N
+             Take up to N samples of each pixel, whatever the scene says: as
+             many as the pixel needs. 1 makes edges of steps, 16 smooth ones.
+  
          --show
              Then show the picture in a window, as raylab view does. Without a
              display it is written all the same, and this is no failure.
@@ -400,6 +418,10 @@ Help and version go to standard output. A version is no place-holder.
          --size=WxH
              Make the picture WxH pixels large, whatever the scene says. It
              shows the same canvas, stretched if its proportions differ.
+  
+         --srgb
+             Show colours by the sRGB curve, as screens expect light to be
+             written. Dark colours become brighter.
   
          --stats
              Print the rays by kind, hits, time and rays per second to standard

@@ -119,8 +119,7 @@ let load name =
   | Error _ -> Alcotest.failf "%s is in error" name
 
 let svg scene prepared (x, y) =
-  Path_picture.to_svg ~pixel:(x, y) scene
-    (Explain.centre (Explain.pixel prepared ~x ~y))
+  Path_picture.to_svg scene (Explain.pixel prepared ~x ~y)
 
 let drawn name pixel =
   let scene = load name in
@@ -200,9 +199,9 @@ let test_all_there () =
 let any_scene =
   Any.holds "no overlap" ~count:60 ~max_side:4 (fun scene ->
       List.for_all
-        (fun (pixel, e) ->
-          faults (Path_picture.to_svg ~pixel scene.Prepared.scene e) = [])
-        (Any.explanations scene))
+        (fun pixel ->
+          faults (Path_picture.to_svg scene.Prepared.scene pixel) = [])
+        (Any.explained scene))
 
 let suite =
   ( "Labels",

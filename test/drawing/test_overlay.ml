@@ -32,7 +32,8 @@ let overlay ~first_row =
         ]
   in
   let pixel = Explain.pixel (Prepared.make scene) ~x:50 ~y:40 in
-  Overlay.make camera ~first_row (Path.of_explanation (Explain.centre pixel))
+  Overlay.make camera ~first_row
+    (Path.of_rays scene.film [ Explain.centre pixel ])
 
 let test_make () =
   let { Overlay.lines; hits; blocks } = overlay ~first_row:0 in

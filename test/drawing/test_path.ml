@@ -27,7 +27,7 @@ let scene =
 
 let path_of scene =
   let pixel = Explain.pixel (Prepared.make scene) ~x:0 ~y:0 in
-  Path.of_explanation (Explain.centre pixel)
+  Path.of_rays scene.film [ Explain.centre pixel ]
 
 let kind : Path.kind -> string = function
   | Primary -> "primary"

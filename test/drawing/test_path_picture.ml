@@ -7,9 +7,8 @@ open Build
 
 let draw scene =
   let prepared = Prepared.make scene in
-  let pixel = (0, 0) in
-  let e = Explain.centre (Explain.pixel prepared ~x:0 ~y:0) in
-  (e, Path_picture.to_svg ~pixel scene e)
+  let pixel = Explain.pixel prepared ~x:0 ~y:0 in
+  (Explain.centre pixel, Path_picture.to_svg scene pixel)
 
 (* [count part text] is how often [part] is in [text]. *)
 let count part text =
@@ -77,9 +76,9 @@ let is_sound svg =
 let sound =
   Any.holds "no number is out of range" ~count:60 ~max_side:4 (fun scene ->
       List.for_all
-        (fun (pixel, e) ->
-          is_sound (Path_picture.to_svg ~pixel scene.Prepared.scene e))
-        (Any.explanations scene))
+        (fun pixel ->
+          is_sound (Path_picture.to_svg scene.Prepared.scene pixel))
+        (Any.explained scene))
 
 let test_many () =
   let ball i =
@@ -98,7 +97,7 @@ let test_extent () =
   in
   let extent objects =
     let scene = Scene.make ~objects (camera ()) in
-    Extent.of_path scene (Path.of_explanation (fst (draw scene)))
+    Extent.of_path scene (Path.of_rays scene.film [ fst (draw scene) ])
   in
   let alone = extent near
   and crowded =

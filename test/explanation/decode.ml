@@ -8,17 +8,15 @@ open Decode_scene
 
 let bare_ray get =
   let origin = vector (get "origin") and d = direction (get "direction") in
-  match optional float (get "reach") with
-  | None -> Ray.make ~origin ~direction:d
-  | Some reach ->
-      let raw = Raw_ray.create () in
-      let { Vec3.x; y; z } = (d :> Vec3.t) in
-      Raw_ray.set_origin raw origin.x origin.y origin.z;
-      Raw_ray.set_direction raw x y z;
-      raw.reach <- reach;
-      Ray.of_raw raw
+  let raw = Raw_ray.create () in
+  let { Vec3.x; y; z } = (d :> Vec3.t) in
+  Raw_ray.set_origin raw origin.x origin.y origin.z;
+  Raw_ray.set_direction raw x y z;
+  raw.reach <- Option.value (optional float (get "reach")) ~default:infinity;
+  raw.seed <- float (get "seed");
+  Ray.of_raw raw
 
-let ray_members = [ "origin"; "direction"; "reach" ]
+let ray_members = [ "origin"; "direction"; "reach"; "seed" ]
 let shadow_ray json = bare_ray (members ray_members json)
 
 let light json : Explain.light =
@@ -138,14 +136,26 @@ type pixel = {
   explanation : Explain.pixel;
 }
 
-let sample json =
+let sample json : Explain.sample =
   let get = members [ "color"; "ray" ] json in
-  let e = ray Primary (get "ray") in
-  if e.color <> color (get "color") then wrong "a sample's colour";
-  e
+  { color = color (get "color"); ray = ray Primary (get "ray") }
+
+let film json =
+  let get = members [ "samples"; "exposure"; "srgb" ] json in
+  Film.make
+    ~samples:(int (get "samples"))
+    ~exposure:(float (get "exposure"))
+    ~srgb:(bool (get "srgb"))
+    ()
+
+let neighbour json : Sampler.neighbour =
+  let get = members [ "x"; "y"; "color" ] json in
+  { x = int (get "x"); y = int (get "y"); color = color (get "color") }
 
 let pixel json =
-  let names = [ "x"; "y"; "rgb"; "summary"; "color"; "samples" ] in
+  let names =
+    [ "x"; "y"; "rgb"; "summary"; "color"; "film"; "cause"; "samples" ]
+  in
   let get = members names json in
   let rgb =
     match list int (get "rgb") with
@@ -159,6 +169,8 @@ let pixel json =
       {
         x = int (get "x");
         y = int (get "y");
+        film = film (get "film");
+        cause = optional neighbour (get "cause");
         samples = list sample (get "samples");
         color = color (get "color");
       };

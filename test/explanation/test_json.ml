@@ -9,7 +9,7 @@ let vector x y z = `List [ `Float x; `Float y; `Float z ]
 let parse text = Yojson.Safe.from_string text
 
 let pixel_is_same (pixel : Explain.pixel) (decoded : Decode.pixel) =
-  decoded.rgb = Color.to_bytes pixel.color
+  decoded.rgb = Film.to_bytes pixel.film pixel.color
   && decoded.summary = Summary.of_pixel pixel
   && compare decoded.explanation pixel = 0
 
@@ -45,7 +45,8 @@ let test_document () =
   let background = rgb 0.25 0.5 2. in
   let scene = Prepared.make (Scene.make ~background (camera ())) in
   let pixel = Explain.pixel scene ~x:0 ~y:0 in
-  let color = `List [ `Float 0.25; `Float 0.5; `Float 2. ] in
+  let color = `List [ `Float 0.25; `Float 0.5; `Float 2. ]
+  and shown = `List [ `Float 0.25; `Float 0.5; `Float 1. ] in
   let ray =
     ( "ray",
       `Assoc
@@ -53,6 +54,7 @@ let test_document () =
           ("origin", vector 0. 0. (-1.));
           ("direction", vector 0. 0. 1.);
           ("reach", `Null);
+          ("seed", `Float (Raylab_geometry.Ray.seed (Explain.centre pixel).ray));
           ("left", `Int 4);
           ("color", color);
           ("outcome", `String "missed");
@@ -76,8 +78,16 @@ let test_document () =
                   ("y", `Int 0);
                   ("rgb", `List [ `Int 64; `Int 128; `Int 255 ]);
                   ("summary", `String (Summary.of_pixel pixel));
-                  ("color", color);
-                  ("samples", `List [ `Assoc [ ("color", color); ray ] ]);
+                  ("color", shown);
+                  ( "film",
+                    `Assoc
+                      [
+                        ("samples", `Int 1);
+                        ("exposure", `Float 1.);
+                        ("srgb", `Bool false);
+                      ] );
+                  ("cause", `Null);
+                  ("samples", `List [ `Assoc [ ("color", shown); ray ] ]);
                 ];
             ] );
       ]

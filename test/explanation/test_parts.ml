@@ -59,19 +59,37 @@ let rec adds_up background (e : Explain.t) =
              && adds_up background next)
            (Explain.next e)
 
-let root =
-  Any.holds "the root has the pixel's colour" (fun scene ->
-      List.for_all
-        (fun ((x, y), (e : Explain.t)) ->
-          is_same e.color (Tracer.pixel scene ~x ~y))
-        (Any.explanations scene))
+(* Added from the left, and divided by their number. *)
+let mean = function
+  | [] -> Color.black
+  | ({ color; _ } : Explain.sample) :: rest as samples ->
+      let add sum ({ color; _ } : Explain.sample) = Color.add sum color in
+      let { Color.r; g; b } = List.fold_left add color rest
+      and n = float_of_int (List.length samples) in
+      Color.make (r /. n) (g /. n) (b /. n)
+
+let exposed { Film.exposure; _ } { Color.r; g; b } =
+  let channel v = Float.min 1. (exposure *. v) in
+  Color.make (channel r) (channel g) (channel b)
+
+let pixel_is_right scene { Explain.x; y; film; samples; cause; color } =
+  let sample { Explain.color; ray } = is_same color (exposed film ray.color) in
+  is_same color (Tracer.pixel scene ~x ~y)
+  && is_same color (mean samples)
+  && List.for_all sample samples
+  && List.length samples <= film.samples
+  && Option.is_some cause = (List.length samples > 1)
+
+let pixels =
+  Any.holds "samples are the colour of their ray, and the pixel their mean"
+    (fun scene -> List.for_all (pixel_is_right scene) (Any.explained scene))
 
 let sums =
   Any.holds "the parts add up to the whole" (fun scene ->
       let { Scene.background; _ } = scene.Prepared.scene in
-      List.for_all
-        (fun (_, e) -> adds_up background e)
-        (Any.explanations scene))
+      let sample { Explain.ray; _ } = adds_up background ray in
+      let pixel { Explain.samples; _ } = List.for_all sample samples in
+      List.for_all pixel (Any.explained scene))
 
 (* {1 Numbers of rays} *)
 
@@ -102,8 +120,18 @@ let count (tally : Tally.t) (e : Explain.t) =
 
 let tally =
   Any.holds "as many rays as the rendering counts" ~max_side:12 (fun scene ->
+      let scene = scene.Prepared.scene in
+      let film = Film.with_samples 1 scene.film in
+      let scene = Prepared.make (Scene.with_film film scene) in
       let counted = Tally.create () in
-      List.iter (fun (_, e) -> count counted e) (Any.explanations scene);
+      let pixel { Explain.samples; _ } =
+        let { Explain.ray; _ } = List.hd samples in
+        count counted ray;
+        counted.samples <- counted.samples + 1;
+        if Film.over_exposed film ray.color then
+          counted.over_exposed <- counted.over_exposed + 1
+      in
+      List.iter pixel (Any.explained scene);
       counted = snd (Render.picture ~domains:1 scene))
 
-let suite = ("Parts", root @ sums @ tally)
+let suite = ("Parts", pixels @ sums @ tally)

@@ -4,8 +4,9 @@ open Raylab_explanation
 open Test_support
 open Build
 
-let print ?swatches ?pixel e =
-  Format.asprintf "%a" (Report.pp_with ?swatches ?pixel) e
+let print ?swatches pixel =
+  let pp ppf = Report.pp_pixel_with ?swatches ppf in
+  Format.asprintf "%a" pp pixel
 
 let lines = String.split_on_char '\n'
 let is_narrow line = String.length line <= 80
@@ -13,16 +14,16 @@ let is_narrow line = String.length line <= 80
 let narrow =
   Any.holds "no line is longer than 80 columns" (fun scene ->
       List.for_all
-        (fun (pixel, e) -> List.for_all is_narrow (lines (print ~pixel e)))
-        (Any.explanations scene))
+        (fun pixel -> List.for_all is_narrow (lines (print pixel)))
+        (Any.explained scene))
 
 let is_plain c = c = '\n' || (' ' <= c && c <= '~')
 
 let plain =
   Any.holds "no control characters" (fun scene ->
       List.for_all
-        (fun (pixel, e) -> String.for_all is_plain (print ~pixel e))
-        (Any.explanations scene))
+        (fun pixel -> String.for_all is_plain (print pixel))
+        (Any.explained scene))
 
 (* [without_escapes text] is [text] without the patches of colour. *)
 let without_escapes text =
@@ -43,13 +44,13 @@ let swatches =
           (List.concat_map (String.split_on_char ' ') (lines text))
       in
       List.for_all
-        (fun (pixel, e) ->
+        (fun pixel ->
           let shown =
-            without_escapes (print ~swatches:Swatch.True_color ~pixel e)
+            without_escapes (print ~swatches:Swatch.True_color pixel)
           in
-          words shown = words (print ~pixel e)
+          words shown = words (print pixel)
           && List.for_all is_narrow (lines shown))
-        (Any.explanations scene))
+        (Any.explained scene))
 
 (* {1 Long chains} *)
 
@@ -58,7 +59,7 @@ let facing_mirrors ray_depth =
   let scene =
     Scene.make ~ray_depth ~objects:[ mirror 4.; mirror (-6.) ] (camera ())
   in
-  Explain.centre (Explain.pixel (Prepared.make scene) ~x:0 ~y:0)
+  Explain.pixel (Prepared.make scene) ~x:0 ~y:0
 
 let test_long () =
   let text = print (facing_mirrors 100) in
@@ -68,10 +69,11 @@ let test_long () =
 
 let test_very_long () =
   let length = if Javascript.here then 300 else 20_000 in
-  let e = facing_mirrors length in
+  let pixel = facing_mirrors length in
   let last = Printf.sprintf "ray %d, mirrored:" (length + 1) in
-  Expect.contains "text" ~part:last (print e);
-  Expect.contains "JSON" ~part:"chain ended" (Json.to_string (Json.of_ray e))
+  Expect.contains "text" ~part:last (print pixel);
+  Expect.contains "JSON" ~part:"chain ended"
+    (Json.to_string (Json.document [ pixel ]))
 
 let suite =
   ( "Report",

@@ -4,8 +4,7 @@ open Test_support
 open Build
 
 let steps scene (x, y) =
-  let camera = scene.Prepared.scene.camera in
-  Explain.steps scene (Camera.primary_ray camera ~x ~y)
+  Explain.steps scene (Sample_ray.make scene.Prepared.scene ~x ~y 0)
 
 (* Numbers that are not numbers are equal here, too. *)
 let is_same a b = compare a b = 0

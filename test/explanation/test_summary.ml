@@ -10,7 +10,7 @@ let check what expected ?background ?ray_depth ?(lights = []) objects =
     Scene.make ?background ?ray_depth ~lights ~objects ~files (camera ())
   in
   let e = Explain.centre (Explain.pixel (Prepared.make scene) ~x:0 ~y:0) in
-  Alcotest.(check string) what expected (Summary.reason e)
+  Alcotest.(check string) what expected (Reason.of_ray Film.default e)
 
 let sun ?(color = Color.white) ?(intensity = 1.) x y z =
   Light.directional ~intensity ~color ~direction:(v x y z)
@@ -148,19 +148,19 @@ let test_touching () =
 
 let test_subject () =
   let scene = Scene.make ~background:(rgb 0.5 0.25 3.) (camera ()) in
-  let e = Explain.centre (Explain.pixel (Prepared.make scene) ~x:0 ~y:0) in
+  let pixel = Explain.pixel (Prepared.make scene) ~x:0 ~y:0 in
   let reason =
     "the purple background, since the ray hits nothing; over-exposed: blue 3, \
      shown as 255"
   in
   Alcotest.(check string)
     "of a pixel"
-    ("pixel (3, 4) is rgb 128 64 255: " ^ reason)
-    (Summary.to_string ~pixel:(3, 4) e);
+    ("pixel (0, 0) is rgb 128 64 255: " ^ reason)
+    (Summary.of_pixel pixel);
   Alcotest.(check string)
     "of a ray"
     ("the ray is rgb 128 64 255: " ^ reason)
-    (Summary.to_string e)
+    (Summary.to_string (Explain.centre pixel))
 
 let suite =
   ( "Summary",

@@ -45,4 +45,5 @@ and term { Explain.source = s; color = c; ray } =
   source s && color c && Option.fold ~none:true ~some:ray_explanation ray
 
 let explanation (pixel : Explain.pixel) =
-  color pixel.color && List.for_all ray_explanation pixel.samples
+  let sample { Explain.color = c; ray } = color c && ray_explanation ray in
+  color pixel.color && List.for_all sample pixel.samples

@@ -12,6 +12,8 @@ let () =
       Test_shadow_ray.suite;
       Test_viewpoint.suite;
       Test_camera.suite;
+      Test_film.suite;
+      Test_spread.suite;
       Test_projection.suite;
       Test_scenes.suite;
       Test_warnings.suite;

@@ -25,7 +25,7 @@ takes what it is given.
 
 The label that it shows is that of the first band, shortened.
 
-  $ label () { grep -a -m 1 -o 'raylab-band 1.*' $1; }
+  $ label () { grep -a -m 1 -o 'raylab-band 2.*' $1; }
   $ label a.ppm | sed 's/scene \(.\{6\}\).*\(....\) raylab/scene \1...\2 raylab/' > short
   $ label ../../doc/slurm.md | diff - short
 

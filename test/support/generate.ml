@@ -119,6 +119,23 @@ let light number =
         Light.directional ~intensity ~color ~direction:(d :> Vec3.t))
       (direction number)
 
+let film =
+  let any =
+    map3
+      (fun samples exposure srgb -> Film.make ~samples ~exposure ~srgb ())
+      (1 -- 16) (positive extreme) bool
+  in
+  frequency [ (3, pure Film.default); (1, any) ]
+
+let lens number =
+  let any =
+    map2
+      (fun aperture focus -> Lens.make ?focus aperture)
+      (at_least_0 number)
+      (option (positive number))
+  in
+  frequency [ (3, pure Lens.pinhole); (1, any) ]
+
 let viewpoint number =
   let make (eye, look_at, up) =
     match Viewpoint.make ~look_at ~up eye with
@@ -148,6 +165,8 @@ let camera ?(max_side = 12) number =
 
 let scene ?max_side number =
   let* camera = camera ?max_side number
+  and* film = film
+  and* lens = lens number
   and* background = color number
   and* ray_depth = 0 -- 6
   and* lights = list_size (0 -- 4) (light number)
@@ -155,4 +174,4 @@ let scene ?max_side number =
     list_size (0 -- 6)
       (map2 (fun s f -> Object.make s f) (shape number) (surface number))
   in
-  pure (Scene.make ~background ~ray_depth ~lights ~objects camera)
+  pure (Scene.make ~lens ~film ~background ~ray_depth ~lights ~objects camera)

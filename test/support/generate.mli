@@ -51,6 +51,12 @@ val light : float Gen.t -> Light.t Gen.t
 val viewpoint : float Gen.t -> Viewpoint.t Gen.t
 val camera : ?max_side:int -> float Gen.t -> Camera.t Gen.t
 
+val film : Film.t Gen.t
+(** Few samples, if any, and any exposure. *)
+
+val lens : float Gen.t -> Lens.t Gen.t
+(** Some of them open. *)
+
 val scene : ?max_side:int -> float Gen.t -> Scene.t Gen.t
 (** Pictures of up to [max_side] pixels a side, 12 by default, up to four
     lights and up to six objects. *)

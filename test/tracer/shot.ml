@@ -6,7 +6,8 @@ let centre ?background ?ray_depth ?lights objects =
   let scene =
     Scene.make ?background ?ray_depth ?lights ~objects (Build.camera ())
   in
-  Tracer.pixel (Prepared.make scene) ~x:0 ~y:0
+  Tracer.color (Prepared.make scene)
+    (Camera.primary_ray scene.camera ~x:0 ~y:0)
 
 let sun ?(intensity = 1.) x y z =
   Light.directional ~intensity ~color:Color.white ~direction:(Build.v x y z)

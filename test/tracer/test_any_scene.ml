@@ -25,14 +25,16 @@ let any_ray =
     (fun (scene, ray) -> is_color (Tracer.color (Prepared.make scene) ray))
 
 let ray_is_pixel =
-  Property.holds "a pixel is its primary ray" ~count:200 ~print
+  Property.holds "a pixel of one sample is its primary ray" ~count:200 ~print
     (Generate.scene Generate.everyday) (fun scene ->
-      let prepared = Prepared.make scene in
+      let film = Film.with_samples 1 scene.film in
+      let prepared = Prepared.make (Scene.with_film film scene) in
       let { Camera.width; height; _ } = scene.camera in
       let x = width / 2 and y = height / 3 in
       Color.equal
         (Tracer.pixel prepared ~x ~y)
-        (Tracer.color prepared (Camera.primary_ray scene.camera ~x ~y)))
+        (Tracer.color prepared (Camera.primary_ray scene.camera ~x ~y)
+        |> Film.expose film))
 
 (* A grey scene is grey in every pixel, to the last bit: see Grey. *)
 let grey_stays_grey =

@@ -24,7 +24,7 @@ let every_pixel =
       List.for_all
         (fun (x, y) ->
           Picture.get picture ~x ~y
-          = Color.to_bytes (Tracer.pixel prepared ~x ~y))
+          = Film.to_bytes scene.film (Tracer.pixel prepared ~x ~y))
         (Shot.pixels picture))
 
 let bands =

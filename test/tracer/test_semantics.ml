@@ -185,22 +185,85 @@ let rec trace (scene : Scene.t) left ray =
 
 (* {1 Pixels} *)
 
-let primary ({ Camera.width; height; _ } as camera) x y =
+let frame (camera : Camera.t) =
   let { Viewpoint.eye; look_at; up; _ } = camera.viewpoint in
   let f = unit (look_at - eye) in
   let r = unit (cross up f) in
-  let u = cross f r in
+  (r, cross f r, f)
+
+(* Through the place (x', y') of pixel (x, y), from its upper left corner. *)
+let sight ({ Camera.width; height; _ } as camera) x y x' y' =
+  let { Viewpoint.eye; _ } = camera.viewpoint and r, u, f = frame camera in
   let canvas_width, canvas_height, depth = canvas camera in
-  let place extent count k =
-    (extent *. (float_of_int k +. 0.5) /. float_of_int count) -. (extent /. 2.)
+  let place extent count k part =
+    (extent *. (float_of_int k +. part) /. float_of_int count) -. (extent /. 2.)
   in
-  let across = place canvas_width width x
-  and above = place canvas_height height (Int.sub (pred height) y) in
+  let across = place canvas_width width x x'
+  and above =
+    place canvas_height height (Int.sub (pred height) y) (1. -. y')
+  in
   let q = eye + (depth * f) + (across * r) + (above * u) in
   { o = eye; d = unit (q - eye); rho = infinity }
 
-let pixel (scene : Scene.t) ~x ~y =
-  trace scene scene.ray_depth (primary scene.camera x y)
+let exposed (scene : Scene.t) c =
+  let channel v = Float.min 1. (scene.film.exposure *. v) in
+  Color.make (channel c.Color.r) (channel c.g) (channel c.b)
+
+let through_lens (scene : Scene.t) pixel k { o; d; rho } =
+  let { Lens.aperture; focus } = scene.lens in
+  if scene.film.samples = 1 || aperture = 0. then { o; d; rho }
+  else
+    let _, _, depth = canvas scene.camera and r, u, f = frame scene.camera in
+    let psi = Option.value focus ~default:depth in
+    let turn = 2. *. Float.pi *. Spread.lens' pixel k in
+    let radius = aperture *. sqrt (Spread.lens pixel k) in
+    let l = o + (radius * ((cos turn * r) + (sin turn * u))) in
+    let z = o + (psi /. dot d f * d) in
+    { o = l; d = unit (z - l); rho }
+
+let sample (scene : Scene.t) x y k =
+  let pixel = Spread.of_pixel ~x ~y in
+  let u, v =
+    if k = 0 then (0.5, 0.5) else (Spread.across pixel k, Spread.down pixel k)
+  in
+  let ray = through_lens scene pixel k (sight scene.camera x y u v) in
+  exposed scene (trace scene scene.ray_depth ray)
+
+let curve v =
+  if v <= 0.0031308 then 12.92 *. v else (1.055 *. (v ** (1. /. 2.4))) -. 0.055
+
+(* As a picture shows them. *)
+let differ (scene : Scene.t) (a : Color.t) (b : Color.t) =
+  let shown v = if scene.film.srgb then curve v else v in
+  let apart v w = abs_float (shown v -. shown w) > 1. /. 32. in
+  apart a.r b.r || apart a.g b.g || apart a.b b.b
+
+let neighbours { Camera.width; height; _ } x y =
+  let near k = [ pred k; k; succ k ] in
+  List.concat_map (fun x -> List.map (fun y -> (x, y)) (near y)) (near x)
+  |> List.filter (fun (x, y) -> 0 <= x && x < width && 0 <= y && y < height)
+
+let rec refined scene x y taken =
+  let most = scene.Scene.film.samples and n = List.length taken in
+  let two_differ = List.exists (fun a -> List.exists (differ scene a) taken) in
+  if n < most && two_differ taken then
+    let more = Int.min n (Int.sub most n) in
+    let further = List.init more (fun k -> sample scene x y (Int.add n k)) in
+    refined scene x y (taken @ further)
+  else taken
+
+let samples (scene : Scene.t) x y =
+  let most = scene.film.samples and centre = sample scene x y 0 in
+  let is_other (x, y) = differ scene centre (sample scene x y 0) in
+  if most > 1 && List.exists is_other (neighbours scene.camera x y) then
+    refined scene x y (List.init (Int.min 4 most) (sample scene x y))
+  else [ centre ]
+
+let pixel scene ~x ~y =
+  let taken = samples scene x y in
+  Color.scale
+    (1. /. float_of_int (List.length taken))
+    (List.fold_left ( ++ ) Color.black taken)
 
 (* {1 The tracer beside them} *)
 

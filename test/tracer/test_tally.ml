@@ -76,7 +76,11 @@ let any_scene =
       let tally domains = snd (Render.picture ~domains prepared) in
       let one = tally 1 in
       let { Camera.width; height; _ } = scene.camera in
-      one.primary = width * height
+      let { Film.samples; _ } = scene.film and pixels = width * height in
+      pixels <= one.samples
+      && one.samples <= samples * pixels
+      && one.over_exposed <= pixels && one.samples <= one.primary
+      && (samples > 1 || one.primary = pixels)
       && one.blocked <= one.shadow
       && one.hits <= one.primary + one.reflected
       && one.shadow <= one.hits * List.length scene.lights

@@ -17,4 +17,5 @@ let () =
       Test_any_scene.suite;
       Test_render.suite;
       Test_tally.suite;
+      Test_sampler.suite;
     ]

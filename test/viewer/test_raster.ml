@@ -97,7 +97,7 @@ let test_words () =
     Alcotest.(check bool) name true (words < 0.2)
   in
   check "known" (Refinement.complete picture);
-  check "unknown" (Refinement.start picture)
+  check "unknown" (Refinement.start ~passes:[||] picture)
 
 let test_dim () =
   let look =

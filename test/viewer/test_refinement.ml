@@ -17,6 +17,10 @@ let tiles pass (width, height) =
 
 let passes (width, height) = Array.to_list (Pass.coarse_to_fine ~width ~height)
 
+let start picture =
+  let width = Picture.width picture and height = Picture.height picture in
+  Refinement.start ~passes:(Pass.coarse_to_fine ~width ~height) picture
+
 (* how often the passes compute each pixel *)
 let times ((width, height) as size) passes =
   let times = Array.make_matrix height width 0 in
@@ -76,7 +80,7 @@ let prop_known =
     QCheck.(pair size (list (pair small_nat small_nat)))
     (fun (((width, height) as size), work) ->
       let picture = Picture.create ~width ~height in
-      let r = Refinement.start picture in
+      let r = start picture in
       let passes = Array.of_list (passes size) in
       List.iter
         (fun (p, k) ->
@@ -114,7 +118,7 @@ let color r x y =
 
 let test_blocks () =
   let size = (40, 20) in
-  let r = Refinement.start (filled size) in
+  let r = start (filled size) in
   let check name expected x y =
     Alcotest.(check (option int)) name expected (color r x y)
   in
@@ -134,7 +138,7 @@ let test_blocks () =
 
 (* The first pass of 1,000 x 800 pixels is done in tiles of 32. *)
 let test_large () =
-  let r = Refinement.start (filled (1000, 800)) in
+  let r = start (filled (1000, 800)) in
   let pass = List.nth (passes (1000, 800)) in
   let note k =
     Refinement.note r (pass k) (Pass.nth (pass k) ~width:1000 ~height:800 0)
@@ -152,7 +156,7 @@ let test_large () =
 (* A collection would stop the domains that render. *)
 let test_words () =
   let width = 3000 and height = 2000 in
-  let r = Refinement.start (Picture.unset ~width ~height) in
+  let r = start (Picture.unset ~width ~height) in
   let pass = List.hd (passes (width, height)) in
   let tiles = tiles pass (width, height) in
   let before = Gc.minor_words () in
