@@ -11,6 +11,7 @@ let words =
     ("why X Y", "why pixel (X, Y), counted from the top left, has its colour");
     ("pixel X Y", "why, in full");
     ("primary X Y", "the ray that looks through pixel (X, Y)");
+    ("sample X Y K", "the ray of its sample K, counted from 1");
     ("trace RAY", "the colour that a ray brings");
     ("hit RAY", "what a ray hits first");
     ("explain RAY", "why it brings that colour");
@@ -32,7 +33,8 @@ use (Scene.make camera
        ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])
 
 Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
-are with_background, with_lights, with_objects and with_camera.
+are with_background, with_lights, with_objects, with_camera, with_lens and
+with_film: Scene.with_film (Film.make ~samples:16 ()) (scene ()) is smooth.
 looking (vec 3. 2. (-4.)) (vec 0. 0. 0.) camera is a camera elsewhere.|}
 
 let help () =
@@ -73,6 +75,15 @@ let why x y = Console.summary (pixel x y)
 let primary x y =
   check_pixel x y;
   Sample_ray.make (scene ()) ~x ~y 0
+
+let sample x y k =
+  check_pixel x y;
+  let { Scene.film; _ } = scene () in
+  if k < 1 || k > film.samples then
+    invalid_arg
+      (Printf.sprintf "there is no sample %d: they go from 1 to %d" k
+         film.samples);
+  Sample_ray.make (scene ()) ~x ~y (k - 1)
 
 let trace ray = Tracer.color (Session.trace ()) ray
 let hit ray = Tracer.nearest_hit (Session.trace ()) ray

@@ -38,6 +38,10 @@ val pixel : int -> int -> Explain.pixel
 val primary : int -> int -> Ray.t
 (** [primary x y] is the ray that looks through pixel (x, y). *)
 
+val sample : int -> int -> int -> Ray.t
+(** [sample x y k] is the ray of sample [k] of pixel (x, y), from 1 to as many
+    as the scene takes of a pixel at most. The first is {!primary}. *)
+
 val trace : Ray.t -> Color.t
 (** [trace ray] is the colour that [ray] brings. *)
 

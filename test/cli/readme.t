@@ -3,8 +3,9 @@ What README.md says of scenes is true.
 The picture at its top is that of the first command:
 
   $ is_picture () { convert "$1" -depth 8 rgb:- | cmp - "$2"; }
-  $ pixels () { raylab render "$1" -q -o p.ppm && tail -c $2 p.ppm; }
-  $ pixels ../../scenes/first.scene $((640 * 480 * 3)) > first.rgb
+  $ pixels () { raylab render "$1" -q -o p.ppm $3 && tail -c $2 p.ppm; }
+  $ options=$(sed -n 's/.*render scenes.first.scene \(.*\) -o first.bmp$/\1/p' ../../README.md)
+  $ pixels ../../scenes/first.scene $((640 * 480 * 3)) "$options" > first.rgb
   $ is_picture ../../doc/first.png first.rgb
 
 The scene in it has no error, and its picture is the one below it:

@@ -1,5 +1,6 @@
 type t = {
   scene : string;
+  samples : int option;
   x : int;
   y : int;
   why : string;
@@ -7,7 +8,10 @@ type t = {
   tree : string list;
 }
 
-let ask scene x y why ~summary ~tree = { scene; x; y; why; summary; tree }
+let ask ?samples scene x y why ~summary ~tree =
+  { scene; samples; x; y; why; summary; tree }
+
+let ask_smooth = ask ~samples:16
 
 let all =
   [
@@ -215,4 +219,103 @@ let all =
     ask "ringed-planet" 560 300 "What is this grain, one of thousands?"
       ~summary:[ "sphere (object 4642, line 4669)"; "lit by lights 1 and 2" ]
       ~tree:[ "t = 11.1317"; "rgb 0.489185 0.387581 0.274681" ];
+    ask_smooth "first" 320 239
+      "Why is the last row of the sky sky, and no mixture?"
+      ~summary:[ "rgb 76 107 178"; "all 4 samples see the blue background" ]
+      ~tree:
+        [ "4 samples, of at most 16, since the centre is rgb 0.3 0.42 0.7" ];
+    ask_smooth "first" 390 120
+      "Why is the edge of the moon darker than the moon?"
+      ~summary:
+        [
+          "of 16 samples see the luminous light yellow sphere (object 5, line \
+           36); ";
+          "see the blue background";
+        ]
+      ~tree:
+        [
+          "that see the luminous";
+          "emitted rgb 1 0.9 0.6";
+          "sum of all 16 samples";
+        ];
+    ask_smooth "first" 413 79 "Why is the top of the moon paler?"
+      ~summary:
+        [
+          "of 16 samples see the luminous light yellow sphere (object 5, line \
+           36); ";
+          "the blue background";
+        ]
+      ~tree:[ "sum of all 16 samples" ];
+    ask_smooth "first" 135 200
+      "Why is there purple between the red ball and the sky?"
+      ~summary:
+        [
+          "of 16 samples see the blue background; ";
+          "see the red sphere (object 2, line 30)";
+        ]
+      ~tree:[ "that see the red sphere"; "divided by their number" ];
+    ask_smooth "first" 346 260 "Why is the edge of the mirror so soft?"
+      ~summary:
+        [
+          "of 16 samples";
+          "the mirror (sphere 4, line 34) that shows";
+          "see the beige plane (object 1, line 26), lit by lights 1 and 2";
+        ]
+      ~tree:[ "that see the mirror" ];
+    ask_smooth "first" 414 350
+      "Why is the edge of the black shadow a step here?"
+      ~summary:
+        [
+          "all 4 samples see the beige plane (object 1, line 26), lit by \
+           light 2, in the shadow of sphere 3 (line 32) from light 1";
+        ]
+      ~tree:[ "blocked by sphere 3 (line 32)" ];
+    ask_smooth "first" 432 350
+      "What is dark under the blue ball, ball or shadow?"
+      ~summary:
+        [
+          "rgb 0 0 0: a mix of 75 % blue and 25 % mirror (sphere 3, line 32)";
+          "the beige plane (object 1, line 26), in the shadow of sphere 3 \
+           (line 32) from lights 1 and 2";
+        ]
+      ~tree:[ "faces away" ];
+    ask_smooth "first" 597 350 "Why is the pale shadow's edge paler still?"
+      ~summary:
+        [
+          "lit by light 1, in the shadow of sphere 3 (line 32) from light 2";
+          "lit by lights 1 and 2";
+        ]
+      ~tree:[ "blocked by sphere 3 (line 32)"; "sum of all" ];
+    ask "over-exposure" 359 335
+      "Why is there no white at the edge of the lamp?"
+      ~summary:
+        [
+          "of 16 samples see the white plane (object 1, line 17), lit by \
+           light 1; ";
+          "the luminous white sphere (object 4, line 26); ";
+          "of them over-exposed";
+        ]
+      ~tree:[ "times the exposure 1, brought into 0 to 1: rgb 1 1 1" ];
+    ask "over-exposure" 400 234 "Why is the middle of the orange light white?"
+      ~summary:
+        [
+          "a white plane (object 1, line 17), lit by light 1; over-exposed: \
+           red 16.7 and green 5.83, shown as 255";
+        ]
+      ~tree:[ "brought into 0 to 1: rgb 1 1 0.99" ];
+    ask "over-exposure" 559 465 "Why is the edge of the white image grey?"
+      ~summary:
+        [
+          "of 16 samples see the 12.5 % mirror (plane 2, line 20) that shows \
+           the luminous white sphere (object 5, line 27)";
+          "that shows the white plane (object 1, line 17)";
+        ]
+      ~tree:[ "mirrored rgb 1 1 1"; "mirrored rgb" ];
+    ask "berries" 432 20 "What is the yellow disc?"
+      ~summary:[ "a luminous yellow sphere (object" ]
+      ~tree:[ "emitted" ];
+    ask "berries" 130 246 "Why is the near berry blurred?"
+      ~summary:
+        [ "of 64 samples see"; "mix of 80 % red and 15 % mirror (sphere" ]
+      ~tree:[ "sum of all 64 samples" ];
   ]

@@ -5,10 +5,16 @@
     things were put right afterwards: that calculation had started shadow and
     mirrored rays at a fixed distance from the surface, so some last digits
     changed, or fewer are asked for; and the green of [room]'s wall is dark
-    green. *)
+    green.
+
+    Those about edges, blur and over-exposure were answered by the area that
+    each thing has in the pixel, likewise by other means. Five of them were put
+    right: where a thing has a sixth of the pixel, the first four samples may
+    all miss it; and black beside black takes one sample. *)
 
 type t = {
   scene : string;  (** the file in [scenes/], without [.scene] *)
+  samples : int option;  (** those that the picture has, if not the scene's *)
   x : int;
   y : int;
   why : string;  (** what one wonders about when one looks at the picture *)

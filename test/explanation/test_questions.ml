@@ -1,3 +1,4 @@
+open Raylab_scene
 open Raylab_tracer
 open Raylab_language
 open Raylab_explanation
@@ -25,13 +26,20 @@ let one_line text =
   |> List.filter (( <> ) "")
   |> String.concat " "
 
-let test { Questions.scene; x; y; why; summary; tree } =
+let with_samples samples prepared =
+  match samples with
+  | None -> prepared
+  | Some samples ->
+      let { Prepared.scene; _ } = prepared in
+      let film = Film.with_samples samples scene.film in
+      Prepared.make (Scene.with_film film scene)
+
+let test { Questions.scene; samples; x; y; why; summary; tree } =
   let answer () =
-    let pixel = Explain.pixel (load scene) ~x ~y in
+    let scene = with_samples samples (load scene) in
+    let pixel = Explain.pixel scene ~x ~y in
     let said = Summary.of_pixel pixel
-    and printed =
-      one_line (Format.asprintf "%a" Report.pp_tree (Explain.centre pixel))
-    in
+    and printed = one_line (Format.asprintf "%a" Report.pp_pixel pixel) in
     List.iter (fun part -> Expect.contains "summary" ~part said) summary;
     List.iter (fun part -> Expect.contains "tree" ~part printed) tree
   in

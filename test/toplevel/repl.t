@@ -127,6 +127,7 @@ Words
   why X Y       why pixel (X, Y), counted from the top left, has its colour
   pixel X Y     why, in full
   primary X Y   the ray that looks through pixel (X, Y)
+  sample X Y K  the ray of its sample K, counted from 1
   trace RAY     the colour that a ray brings
   hit RAY       what a ray hits first
   explain RAY   why it brings that colour
@@ -145,7 +146,8 @@ Words
          ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])
   
   Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
-  are with_background, with_lights, with_objects and with_camera.
+  are with_background, with_lights, with_objects, with_camera, with_lens and
+  with_film: Scene.with_film (Film.make ~samples:16 ()) (scene ()) is smooth.
   looking (vec 3. 2. (-4.)) (vec 0. 0. 0.) camera is a camera elsewhere.
   $ sed -n 's/^val \([a-z]*\) .*/\1/p' ../../lib/toplevel/explore.mli | sort > words
   $ sed '/^$/,$d; s/ .*//' help | sort | diff - words
