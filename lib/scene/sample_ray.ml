@@ -29,8 +29,10 @@ let go_through_lens lens camera pixel k (ray : Raw_ray.t) =
 
 let aim { Scene.camera; lens; film; _ } ~x ~y k (ray : Raw_ray.t) =
   let pixel = Spread.of_pixel ~x ~y in
-  let dx = Spread.across pixel k and dy = Spread.down pixel k in
-  Camera.aim camera ~x ~y ~dx ~dy ray;
+  (if k = 0 then Camera.aim camera ~x ~y ~dx:0.5 ~dy:0.5 ray
+   else
+     let dx = Spread.across pixel k and dy = Spread.down pixel k in
+     Camera.aim camera ~x ~y ~dx ~dy ray);
   if film.samples > 1 && Lens.is_open lens then
     go_through_lens lens camera pixel k ray;
   ray.seed <- Spread.seed pixel k

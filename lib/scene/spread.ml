@@ -6,7 +6,10 @@ let bits = 16
 
 (* 30 bits are what an int has on every platform without a sign. *)
 let mask = 0x3FFFFFFF
-let of_pixel ~x ~y = Hash.mix (Hash.mix (x land mask) lxor (y land mask))
+
+(* Of all pixels, also of a picture that takes one sample of each: so it is
+   quick. That few pixels far apart have the same does no harm. *)
+let[@inline] of_pixel ~x ~y = Hash.mix (Hash.stir x lxor (y land mask))
 
 (* {1 Sobol's sequence} *)
 
@@ -75,4 +78,5 @@ let lens' pixel k = anywhere pixel fourth 5 k
 
 (* {1 Seeds} *)
 
-let seed pixel k = float_of_int (1 + hash pixel (k + 8))
+let[@inline] seed pixel k =
+  float_of_int (1 + if k = 0 then pixel else hash pixel (k + 8))
