@@ -145,7 +145,7 @@ JSON
               "origin": [ 0.0, 0.0, -4.0 ],
               "direction": [ 0.0, 0.0, 1.0 ],
               "reach": null,
-              "seed": 287299782.0,
+              "seed": 491315723.0,
               "left": 4,
               "color": [ 0.2, 0.4, 0.6 ],
               "outcome": "missed",

@@ -34,7 +34,7 @@ An option goes before the scene, and what it changes is in the label.
   raylab: 0-0.ppm and few.ppm are not of one picture: the samples differ, 8 and 4
   [1]
   $ raylab render edge.scene -q -o - --stats 2>&1 >/dev/null | grep -a 'a pixel\|over'
-  samples a pixel        2.031
+  samples a pixel        2.011
   over-exposed            0.00 %
 
   $ raylab render edge.scene --samples 0
@@ -73,66 +73,65 @@ Why
   ray 1: (0, 0, -2) + t (-0.297746, 0.0595491, 0.952786), 4 left in the chain
     hits nothing: the background, rgb 0.2 0.3 0.5
   
-  sample 2, one of 3 that see the mix of 60 % red and 40 % mirror (sphere 1,
+  sample 3, one of 3 that see the mix of 60 % red and 40 % mirror (sphere 1,
       line 4), lit by light 1, whose mirror shows the dark blue background:
-  ray 1: (0, 0, -2) + t (-0.287487, 0.0707045, 0.955171), 4 left in the chain
-    hits sphere 1 (line 4) at t = 4.53337, point (-1.30329, 0.32053, 2.33014),
-        normal (-0.868857, 0.213686, -0.44657)
+  ray 1: (0, 0, -2) + t (-0.291821, 0.0546751, 0.954909), 4 left in the chain
+    hits sphere 1 (line 4) at t = 4.55942, point (-1.33054, 0.249287, 2.35383),
+        normal (-0.887024, 0.166191, -0.430778)
     surface: mixed 0.6 diffusive 1 0 0 0.4 reflective
     that is, emission rgb 0 0 0, albedo rgb 0.6 0 0, mirror 0.4
-    light 1 (directional, line 3): lit, cosine 0.882834 * fall-off 1
-        * intensity 1 * rgb 1 1 1 = rgb 0.882834 0.882834 0.882834
-    all light: rgb 0.882834 0.882834 0.882834
-    ray 2, mirrored: (-1.3033, 0.320534, 2.33014)
-        + t (-0.568401, 0.139792, 0.810789), 3 left in the chain
+    light 1 (directional, line 3): lit, cosine 0.856784 * fall-off 1
+        * intensity 1 * rgb 1 1 1 = rgb 0.856784 0.856784 0.856784
+    all light: rgb 0.856784 0.856784 0.856784
+    ray 2, mirrored: (-1.33055, 0.24929, 2.35382)
+        + t (-0.546246, 0.102344, 0.831349), 3 left in the chain
       hits nothing: the background, rgb 0.2 0.3 0.5
       emitted  rgb 0 0 0
-    + diffused rgb 0.529701 0 0 = albedo * all light
+    + diffused rgb 0.51407 0 0 = albedo * all light
     + mirrored rgb 0.08 0.12 0.2 = 0.4 * colour of ray 2
-    = colour of ray 1: rgb 0.609701 0.12 0.2
+    = colour of ray 1: rgb 0.59407 0.12 0.2
   
-  sum of all 8 samples: rgb 2.79621 1.86 3.1
-  divided by their number = colour of the pixel: rgb 0.349527 0.2325 0.3875
-  $ raylab explain edge.scene 17,17 --sample 4 | head -6
+  sum of all 8 samples: rgb 2.7811 1.86 3.1
+  divided by their number = colour of the pixel: rgb 0.347637 0.2325 0.3875
+  $ raylab explain edge.scene 17,17 --sample 3 | head -6
   pixel (17, 17) is rgb 89 59 99: 5 of 8 samples see the dark blue background;
   3 see the mix of 60 % red and 40 % mirror (sphere 1, line 4), lit by light 1,
   whose mirror shows the dark blue background
   
-  sample 4, one of 3 that see the mix of 60 % red and 40 % mirror (sphere 1,
+  sample 3, one of 3 that see the mix of 60 % red and 40 % mirror (sphere 1,
       line 4), lit by light 1, whose mirror shows the dark blue background:
-  $ raylab explain edge.scene 17,17 --sample 4 --steps
-     1  cast: (0, 0, -2) + t (-0.293273, 0.0527619, 0.954572), 4 left in the chain
-     2  nearest hit: object 1, t = 4.59914 at (-1.3488, 0.242659, 2.3902), normal (-0.899201, 0.161773, -0.40653)
-     3  shadow ray to light 1: (-1.34882, 0.242662, 2.3902) + t (-0.57735, 0.57735, -0.57735)
-     4  light 1: lit, cosine 0.847264, fall-off 1, gives rgb 0.847264 0.847264 0.847264
-     5  bounce: (-1.34882, 0.242662, 2.3902) + t (-0.501556, 0.0902336, 0.860407), 3 left in the chain
+  $ raylab explain edge.scene 17,17 --sample 3 --steps
+     1  cast: (0, 0, -2) + t (-0.291821, 0.0546751, 0.954909), 4 left in the chain
+     2  nearest hit: object 1, t = 4.55942 at (-1.33054, 0.249287, 2.35383), normal (-0.887024, 0.166191, -0.430778)
+     3  shadow ray to light 1: (-1.33055, 0.24929, 2.35382) + t (-0.57735, 0.57735, -0.57735)
+     4  light 1: lit, cosine 0.856784, fall-off 1, gives rgb 0.856784 0.856784 0.856784
+     5  bounce: (-1.33055, 0.24929, 2.35382) + t (-0.546246, 0.102344, 0.831349), 3 left in the chain
      6  nothing hit: the background, rgb 0.2 0.3 0.5
-     7  mix: emitted rgb 0 0 0 + diffused rgb 0.508358 0 0 + mirrored rgb 0.08 0.12 0.2 = rgb 0.588358 0.12 0.2
-     8  done: rgb 0.588358 0.12 0.2
+     7  mix: emitted rgb 0 0 0 + diffused rgb 0.51407 0 0 + mirrored rgb 0.08 0.12 0.2 = rgb 0.59407 0.12 0.2
+     8  done: rgb 0.59407 0.12 0.2
   $ raylab explain edge.scene 17,17 --sample 9
   raylab: option --sample: pixel 17,17 has 8 samples, not 9
   [124]
   $ raylab explain edge.scene 30,20 --sample 2
-  pixel (30, 20) is rgb 143 59 59: all 4 samples see the mix of 60 % red and 40
+  pixel (30, 20) is rgb 142 59 59: all 4 samples see the mix of 60 % red and 40
   % mirror (sphere 1, line 4), lit by light 1, whose mirror shows the white
   plane (object 2, line 5), lit by light 1
   
   sample 2, one of 4 that see the mix of 60 % red and 40 % mirror (sphere 1,
       line 4), lit by light 1, whose mirror shows the white plane (object 2,
       line 5), lit by light 1:
-  ray 1: (0, 0, -2) + t (1.62124e-05, -0.00156002, 0.999999),
-      4 left in the chain
-    hits sphere 1 (line 4) at t = 3.50001,
-        point (5.67438e-05, -0.00546009, 1.50001),
-        normal (3.78292e-05, -0.00364006, -0.999993)
+  ray 1: (0, 0, -2) + t (0.00117935, -0.024248, 0.999705), 4 left in the chain
+    hits sphere 1 (line 4) at t = 3.50345,
+        point (0.00413178, -0.0849517, 1.50241),
+        normal (0.00275452, -0.0566344, -0.998391)
     surface: mixed 0.6 diffusive 1 0 0 0.4 reflective
     that is, emission rgb 0 0 0, albedo rgb 0.6 0 0, mirror 0.4
-    light 1 (directional, line 3): lit, cosine 0.575223 * fall-off 1
-        * intensity 1 * rgb 1 1 1 = rgb 0.575223 0.575223 0.575223
-    all light: rgb 0.575223 0.575223 0.575223
-    ray 2, mirrored: (5.67445e-05, -0.00546016, 1.49999)
-        + t (9.18698e-05, -0.00884004, -0.999961), 3 left in the chain
-      hits plane 2 (line 5) at t = 112.504, point (0.0103925, -1, -111),
+    light 1 (directional, line 3): lit, cosine 0.542133 * fall-off 1
+        * intensity 1 * rgb 1 1 1 = rgb 0.542133 0.542133 0.542133
+    all light: rgb 0.542133 0.542133 0.542133
+    ray 2, mirrored: (0.00413183, -0.0849528, 1.50239)
+        + t (0.00667032, -0.137145, -0.990528), 3 left in the chain
+      hits plane 2 (line 5) at t = 6.67209, point (0.0486368, -1, -5.10651),
           normal (0, 1, 0)
       surface: diffusive 1 1 1
       that is, emission rgb 0 0 0, albedo rgb 1 1 1, mirror 0
@@ -144,9 +143,9 @@ Why
       + mirrored rgb 0 0 0
       = colour of ray 2: rgb 0.57735 0.57735 0.57735
       emitted  rgb 0 0 0
-    + diffused rgb 0.345134 0 0 = albedo * all light
+    + diffused rgb 0.32528 0 0 = albedo * all light
     + mirrored rgb 0.23094 0.23094 0.23094 = 0.4 * colour of ray 2
-    = colour of ray 1: rgb 0.576074 0.23094 0.23094
+    = colour of ray 1: rgb 0.55622 0.23094 0.23094
   $ raylab explain edge.scene 30,20 --sample 0
   raylab: option '--sample': '0' is not the number of a sample; they count from
           1

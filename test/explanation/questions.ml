@@ -262,12 +262,13 @@ let all =
           "see the beige plane (object 1, line 26), lit by lights 1 and 2";
         ]
       ~tree:[ "that see the mirror" ];
-    ask_smooth "first" 414 350
-      "Why is the edge of the black shadow a step here?"
+    ask_smooth "first" 414 350 "Why does the black shadow not begin at once?"
       ~summary:
         [
-          "all 4 samples see the beige plane (object 1, line 26), lit by \
-           light 2, in the shadow of sphere 3 (line 32) from light 1";
+          "of 16 samples see the beige plane (object 1, line 26), lit by \
+           light 2, in the shadow of sphere 3 (line 32) from light 1; ";
+          "see the beige plane (object 1, line 26), in the shadow of sphere 3 \
+           (line 32) from lights 1 and 2";
         ]
       ~tree:[ "blocked by sphere 3 (line 32)" ];
     ask_smooth "first" 432 350
@@ -286,7 +287,7 @@ let all =
           "lit by lights 1 and 2";
         ]
       ~tree:[ "blocked by sphere 3 (line 32)"; "sum of all" ];
-    ask "over-exposure" 359 335
+    ask "over-exposure" 360 342
       "Why is there no white at the edge of the lamp?"
       ~summary:
         [

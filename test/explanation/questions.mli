@@ -8,9 +8,9 @@
     green.
 
     Those about edges, blur and over-exposure were answered by the area that
-    each thing has in the pixel, likewise by other means. Five of them were put
-    right: where a thing has a sixth of the pixel, the first four samples may
-    all miss it; and black beside black takes one sample. *)
+    each thing has in the pixel, likewise by other means. Three of them were
+    put right: where a thing has a sixth of the pixel, the first four samples
+    may all miss it; and black beside black takes one sample. *)
 
 type t = {
   scene : string;  (** the file in [scenes/], without [.scene] *)
