@@ -89,7 +89,7 @@ let objects (panel : Panel.t) (scene : Scene.t) path =
     let s = { Silhouette.fill = fill item.object_; is_met = item.is_met } in
     Shape.outline item.object_.shape
     |> Silhouette.draw panel s ~level:(level item.number)
-    |> Option.map (fun (mark, place) -> (item, mark, place))
+    |> Option.map (fun (marks, place) -> (item, marks, place))
   in
   let drawn = List.filter_map draw items in
   let names (item, _, place) =
@@ -99,7 +99,7 @@ let objects (panel : Panel.t) (scene : Scene.t) path =
       Some (bare_number item place)
     else None
   in
-  ( Sketch.marks (List.map (fun (_, mark, _) -> mark) drawn),
+  ( Sketch.marks (List.concat_map (fun (_, marks, _) -> marks) drawn),
     Sketch.all (List.filter_map names drawn),
     if List.compare_length_with items few <= 0 then
       Sketch.all (List.filter_map numbers drawn)

@@ -65,24 +65,42 @@ let cut_place ((x, y), (x', y')) =
   let along = if x > x' then 0.2 else 0.8 in
   (x +. (along *. (x' -. x)), y +. (along *. (y' -. y)) -. 7.)
 
-(* A polygon. One that reaches far beyond the panel is left out. *)
-let patch s places =
-  let is_near (x, y) = abs_float x < straight && abs_float y < straight in
+let is_near (x, y) = abs_float x < straight && abs_float y < straight
+let polygon s places = Drawing.Polygon (area s (opacity s), places)
+
+let label_place places =
+  let count = float_of_int (List.length places) in
+  let mean pick =
+    List.fold_left (fun sum p -> sum +. pick p) 0. places /. count
+  in
+  (mean fst, mean snd -. 7.)
+
+(* A piece of a plane. One that reaches far beyond the panel is left out. *)
+let patch panel s corners =
+  let places = List.map (Panel.point panel) corners in
   if List.for_all is_near places then
-    let count = float_of_int (List.length places) in
-    let mean pick =
-      List.fold_left (fun sum p -> sum +. pick p) 0. places /. count
-    in
-    Some
-      (Drawing.Polygon (area s (opacity s), places), (mean fst, mean snd -. 7.))
+    Some ([ polygon s places ], label_place places)
   else None
 
+(* One of many, which together show the form: with a thin outline. *)
+let piece s places =
+  let outline = Drawing.stroke ~width:0.5 0x666666 in
+  Drawing.Polygon (Drawing.filled ~opacity:(opacity s) ~outline s.fill, places)
+
+(* The pieces of a body, each as the area between all its points; likewise. *)
+let body panel s pieces =
+  let pieces = List.map (List.map (Panel.point panel)) pieces in
+  let places = List.concat pieces in
+  let hulls = List.map Convex_hull.of_points pieces in
+  if not (List.for_all is_near places) then None
+  else
+    let draw = match hulls with [ _ ] -> polygon s | _ -> piece s in
+    Some (List.map draw hulls, label_place places)
+
 let draw panel s ~level : Outline.t -> _ = function
-  | Ball sphere -> Some (ball panel s sphere, ball_place panel sphere)
+  | Ball sphere -> Some ([ ball panel s sphere ], ball_place panel sphere)
   | Endless plane ->
-      let cut ends = (cut s ends, cut_place ends) in
+      let cut ends = ([ cut s ends ], cut_place ends) in
       Option.map cut (trace panel plane level)
-  | Patch corners -> patch s (List.map (Panel.point panel) corners)
-  | Hull points ->
-      let places = List.map (Panel.point panel) points in
-      patch s (Convex_hull.of_points places)
+  | Patch corners -> patch panel s corners
+  | Body pieces -> body panel s pieces

@@ -33,7 +33,11 @@ HIT   = { "object": OBJECT,
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
           "outside": BOOL,                whether that is the normal on the
                                           outside of the object
-          "part": INT,                    which part of the object is hit
+          "part": INT,                    which part of the object is hit:
+                                          of a box 0 to 5, its left and
+                                          right side, bottom, top, front
+                                          and back; of a cylinder or cone
+                                          0, the wall, 1 or 2, its ends
           "own_point": VECTOR,            the point in the object's own
                                           coordinates
           "offset": NUMBER,               along the normal, of rays to come
@@ -54,7 +58,12 @@ SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
 WORD    = what the scene language calls it
 PART    = what it takes there, in that order, by name:
           a "sphere" has "centre" and "radius", a "plane" has "point"
-          and "normal"; "diffusive" and "luminous" have "color";
+          and "normal", a "box" has "low" and "high", a "cylinder" has
+          "a", "b" and "radius", a "cone" has "a", "radius_a", "b" and
+          "radius_b", a "torus" has "centre", "axis", "ring" and "tube",
+          a "disc" has "centre", "normal" and "radius", a "triangle" has
+          "a", "b" and "c", a "quad" has "corner", "edge" and "other";
+          "diffusive" and "luminous" have "color";
           "scaled" has "factor", "stretched" has "factors", "rotated" has
           "axis" and "angle", "translated" has "way"
 

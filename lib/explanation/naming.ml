@@ -10,6 +10,11 @@ let by_number number (o : Object.t) place =
   | None -> name
   | Some place -> Printf.sprintf "%s (%s)" name (Place.to_string place)
 
+let with_part shape part name =
+  match Shape.part shape part with
+  | None -> name
+  | Some word -> Printf.sprintf "the %s of %s" word name
+
 (* {1 Surfaces} *)
 
 type paint = { word : string; part : float }

@@ -10,6 +10,11 @@ val by_number : int -> Object.t -> Place.t option -> string
 (** [by_number k o place] is [sphere 3 (line 24)], for the object [o] of number
     [k], which is at [place]. *)
 
+val with_part : Raylab_geometry.Shape.t -> int -> string -> string
+(** [with_part shape k name] is [the top of box 3] where [shape], which goes by
+    [name], is a box and its part [k] the top, and [name] where a part has no
+    word of its own. *)
+
 val by_look : int -> Object.t -> Place.t option -> string
 (** [by_look k o place] says what [o] looks like, and then which one it is,
     without an article: [red sphere (object 2, line 30)],

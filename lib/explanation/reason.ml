@@ -49,7 +49,7 @@ let faces_away (h : Explain.surface_hit) lights =
     | lights -> [ say (Words.lights (List.map fst lights)) ]
   in
   match Shape.outline h.object_.shape with
-  | Ball _ | Hull _ ->
+  | Ball _ | Body _ ->
       clause (fun lights -> "facing away from " ^ lights) lights
   | Endless _ | Patch _ ->
       let behind, beside =
@@ -105,7 +105,10 @@ let rec describe film ~depth ~article (path : Explain.t list) =
   match path with
   | ({ outcome = Hit h; _ } as e) :: rest ->
       let seen = { h.object_ with surface = h.surface } in
-      let look = article (Naming.by_look h.hit.number seen h.place) in
+      let look =
+        article (Naming.by_look h.hit.number seen h.place)
+        |> Naming.with_part seen.shape h.hit.part
+      in
       let clauses = clauses film e h in
       String.concat ", " (look :: clauses) ^ shows film ~depth h rest
   | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)

@@ -54,7 +54,8 @@ let print_lights style ppf indent (h : Explain.surface_hit) all =
 
 let print_hit ppf indent { Explain.hit; object_; place; lobes; _ } =
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
-    (Naming.by_number hit.number object_ place)
+    (Naming.by_number hit.number object_ place
+    |> Naming.with_part object_.shape hit.part)
     Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
   line ppf indent "surface: %a" text
     (Format.asprintf "%a" Surface.pp object_.surface);

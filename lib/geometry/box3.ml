@@ -4,6 +4,23 @@ let make ~(low : Vec3.t) ~(high : Vec3.t) =
   if low.x <= high.x && low.y <= high.y && low.z <= high.z then { low; high }
   else invalid_arg "a box whose low corner is not below its high one"
 
+(* More than any rounding error of what is hit. *)
+let margin = 0x1p-44
+
+let around points =
+  let least = List.fold_left Float.min infinity
+  and greatest = List.fold_left Float.max neg_infinity in
+  let all pick =
+    Vec3.make
+      (pick (List.map (fun (p : Vec3.t) -> p.x) points))
+      (pick (List.map (fun (p : Vec3.t) -> p.y) points))
+      (pick (List.map (fun (p : Vec3.t) -> p.z) points))
+  in
+  let low = all least and high = all greatest in
+  let more = margin *. Float.max (Vec3.magnitude low) (Vec3.magnitude high) in
+  let more = Vec3.make more more more in
+  make ~low:(Vec3.sub low more) ~high:(Vec3.add high more)
+
 let centre { low; high } = Vec3.add (Vec3.scale 0.5 low) (Vec3.scale 0.5 high)
 
 let reach { low; high } =

@@ -10,6 +10,12 @@ val make : low:Vec3.t -> high:Vec3.t -> t
     Raises [Invalid_argument] if a coordinate of [low] is greater than that of
     [high], or NaN. *)
 
+val around : Vec3.t list -> t
+(** [around points] is the box around [points], wider by 2^-44 of their
+    coordinates: more than the rounding errors of what is hit between them.
+
+    Raises [Invalid_argument] if there are none, or a coordinate is NaN. *)
+
 val centre : t -> Vec3.t
 (** [centre box] is the point in its middle. *)
 

@@ -91,7 +91,9 @@ let descend ~any bvh walk (ray : Raw_ray.t) (meeting : Meeting.t) code =
   let backwards = x_back lor (y_back lsl 1) lor (z_back lsl 2) in
   let x_in = x_back and y_in = 2 + y_back and z_in = 4 + z_back in
   let x_out = 1 - x_back and y_out = 3 - y_back and z_out = 5 - z_back in
-  let code = ref code and top = ref walk.top and best = ref ray.reach in
+  (* A shape may touch its box, where the two distances differ by rounding. *)
+  let best = ref (ray.reach *. slack) in
+  let code = ref code and top = ref walk.top in
   let others = ref Bvh_tree.none in
   while !code <> Bvh_tree.none do
     if !code >= 0 then
@@ -125,7 +127,7 @@ let descend ~any bvh walk (ray : Raw_ray.t) (meeting : Meeting.t) code =
       code := Bvh_tree.none)
     else (
       offer_spheres bvh !code ray meeting;
-      best := ray.reach;
+      best := ray.reach *. slack;
       if any && not (Meeting.is_none meeting) then code := Bvh_tree.none
       else (
         code := Array.unsafe_get stack !top;

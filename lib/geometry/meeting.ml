@@ -1,7 +1,7 @@
-type t = { mutable number : int; mutable part : int }
+type t = { mutable number : int; mutable part : int; room : Crossings.t }
 
 let none = -1
-let create () = { number = none; part = 0 }
+let create () = { number = none; part = 0; room = Crossings.create () }
 let[@inline] clear meeting = meeting.number <- none
 let[@inline] is_none meeting = meeting.number = none
 
@@ -12,3 +12,12 @@ let[@inline] offer meeting (ray : Raw_ray.t) ~number ~part t =
     ray.reach <- t;
     meeting.number <- number;
     meeting.part <- part)
+
+let rec offer_from k meeting ray ~number =
+  let { Crossings.count; distances; parts; _ } = meeting.room in
+  if k < count then
+    let t = distances.(k) in
+    if t > 0. then offer meeting ray ~number ~part:parts.(k) t
+    else offer_from (k + 1) meeting ray ~number
+
+let offer_room meeting ray ~number = offer_from 0 meeting ray ~number

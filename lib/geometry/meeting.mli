@@ -9,6 +9,9 @@ type t = {
   mutable part : int;
       (** which part of the shape, such as a face, by the shape's own count
           from 0 *)
+  room : Crossings.t;
+      (** where a shape may work out all its crossings to know the first of
+          them *)
 }
 (** The type for meetings. How far away it is, is the reach of the ray. *)
 
@@ -30,3 +33,7 @@ val offer : t -> Raw_ray.t -> number:int -> part:int -> float -> unit
     becomes the meeting and [t] the reach. Of shapes that are met at the same
     distance the one with the lowest number stays; NaN and infinity are no
     hits. *)
+
+val offer_room : t -> Raw_ray.t -> number:int -> unit
+(** [offer_room meeting ray ~number] is {!offer} of the first crossing in the
+    room of [meeting] that lies in front, [t > 0]. *)

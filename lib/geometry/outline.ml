@@ -2,4 +2,4 @@ type t =
   | Ball of Sphere.t
   | Endless of Plane.t
   | Patch of Vec3.t list
-  | Hull of Vec3.t list
+  | Body of Vec3.t list list

@@ -6,5 +6,5 @@ type t =
   | Endless of Plane.t  (** flat and without end *)
   | Patch of Vec3.t list
       (** flat: a convex piece of a plane, by its corners, all around *)
-  | Hull of Vec3.t list
-      (** a body: from every side about the convex hull of these points *)
+  | Body of Vec3.t list list
+      (** solid: convex pieces of space, each by points that enclose it *)

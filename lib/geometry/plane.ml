@@ -17,16 +17,7 @@ let parameters { point; normal } =
 let[@inline] approach (n : Vec3.t) (ray : Raw_ray.t) =
   (ray.dx *. n.x) +. (ray.dy *. n.y) +. (ray.dz *. n.z)
 
-(* The distance at which the line meets the plane. For a parallel line it is
-   infinite, or NaN if the line lies in the plane. *)
-let[@inline] distance { point = p; normal } (ray : Raw_ray.t) =
-  let n = (normal :> Vec3.t) in
-  let height =
-    ((p.x -. ray.ox) *. n.x)
-    +. ((p.y -. ray.oy) *. n.y)
-    +. ((p.z -. ray.oz) *. n.z)
-  in
-  height /. approach n ray
+let[@inline] distance { point; normal } ray = Flat.distance point normal ray
 
 let[@inline] offer plane ray meeting ~number =
   Meeting.offer meeting ray ~number ~part:0 (distance plane ray)
@@ -46,10 +37,6 @@ let crossings ({ point; normal } as plane) (ray : Raw_ray.t) crossings =
   Crossings.clear crossings ~starts_inside;
   if is_met then Crossings.add crossings ~part:0 t
 
-(* A plane across an axis has all its points at one coordinate. It has a normal
-   with two zeros; the third number is 1 within rounding only. *)
-let[@inline] is_across a b = a = 0. && b = 0.
-
 let settle { point = p; normal } ray (spot : Spot.t) =
   let n = (normal :> Vec3.t) in
   let x = Raw_ray.end_x ray
@@ -58,30 +45,33 @@ let settle { point = p; normal } ray (spot : Spot.t) =
   Spot.set_normal spot n.x n.y n.z;
   Spot.set_point spot x y z;
   Spot.set_own spot
-    (if is_across n.y n.z then p.x else x)
-    (if is_across n.z n.x then p.y else y)
-    (if is_across n.x n.y then p.z else z);
+    (if Flat.is_across n.y n.z then p.x else x)
+    (if Flat.is_across n.z n.x then p.y else y)
+    (if Flat.is_across n.x n.y then p.z else z);
   spot.size <- 0.
 
 (* Nine digits, and nothing where only rounding errors are left. *)
 let rounded ~least x =
   if Float.abs x < least then 0. else float_of_string (Printf.sprintf "%.9g" x)
 
-let place { point; normal } =
-  let n = (normal :> Vec3.t) in
-  let tiny = 1e-12 in
-  let numbers =
-    [|
-      rounded ~least:tiny n.x;
-      rounded ~least:tiny n.y;
-      rounded ~least:tiny n.z;
-      rounded ~least:(tiny *. Vec3.length point) (Vec3.dot n point);
-    |]
-  in
-  (* of the two normals the one whose first number is positive *)
+let tiny = 1e-12
+
+(* Of the two ways the one whose first number is positive. *)
+let either_way numbers =
   match Array.find_opt (fun x -> x <> 0.) numbers with
   | Some first when first < 0. -> Array.map (fun x -> 0. -. x) numbers
   | _ -> numbers
+
+let heading_and (normal : Direction.t) rest =
+  let n = (normal :> Vec3.t) in
+  let round = rounded ~least:tiny in
+  either_way (Array.append [| round n.x; round n.y; round n.z |] rest)
+
+let heading normal = heading_and normal [||]
+
+let place { point; normal } =
+  let least = tiny *. Vec3.length point in
+  heading_and normal [| rounded ~least (Vec3.dot (normal :> Vec3.t) point) |]
 
 let pp ppf { point; normal } =
   Format.fprintf ppf "plane point %a normal %a" Vec3.pp point Direction.pp

@@ -36,5 +36,9 @@ val place : t -> float array
 (** [place plane] is numbers that say where [plane] is, to about nine digits:
     the same whichever of its points and normals it was made of. *)
 
+val heading : Direction.t -> float array
+(** [heading normal] is the first numbers of {!place}: the same for [normal]
+    and for the opposite direction. *)
+
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [plane point (0, -1, 0) normal (0, 1, 0)]. *)

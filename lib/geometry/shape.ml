@@ -1,25 +1,113 @@
-type t = Sphere of Sphere.t | Plane of Plane.t | Placed of t Placed.t
+type t =
+  | Sphere of Sphere.t
+  | Plane of Plane.t
+  | Box of Box.t
+  | Cylinder of Cylinder.t
+  | Cone of Cone.t
+  | Torus of Torus.t
+  | Disc of Disc.t
+  | Triangle of Triangle.t
+  | Quad of Quad.t
+  | Placed of t Placed.t
 
 let sphere ~centre ~radius = Sphere (Sphere.make ~centre ~radius)
 
 let plane ~point ~normal =
   Plane (Plane.make ~point ~normal:(Direction.of_vec3_exn normal))
 
-(* What stays of its kind. *)
-let baked change shape =
-  match (shape, Change.similarity change) with
-  | Sphere s, Some similarity ->
+let box_between ~corner ~opposite = Box (Box.make ~corner ~opposite)
+let cylinder a b ~radius = Cylinder (Cylinder.make a b ~radius)
+let cone a radius_a b radius_b = Cone (Cone.make a radius_a b radius_b)
+
+let torus ~centre ~axis ~ring ~tube =
+  Torus (Torus.make ~centre ~axis:(Direction.of_vec3_exn axis) ~ring ~tube)
+
+let disc ~centre ~normal ~radius =
+  Disc (Disc.make ~centre ~normal:(Direction.of_vec3_exn normal) ~radius)
+
+let triangle a b c = Triangle (Triangle.make a b c)
+let quad ~corner ~edge ~other = Quad (Quad.make ~corner ~edge ~other)
+
+(* {1 Changes} *)
+
+let by_similarity change = function
+  | Sphere s ->
       Some
         (sphere
-           ~centre:(Similarity.point similarity (Sphere.centre s))
-           ~radius:(Similarity.factor similarity *. s.radius))
-  | Plane p, Some similarity ->
+           ~centre:(Similarity.point change (Sphere.centre s))
+           ~radius:(Similarity.factor change *. s.radius))
+  | Plane p ->
       Some
         (plane
-           ~point:(Similarity.point similarity p.point)
-           ~normal:(Similarity.direction similarity (p.normal :> Vec3.t)))
-  | Plane p, None -> Some (Plane (Placed.plane (Placed.make change p)))
-  | Sphere _, None | Placed _, _ -> None
+           ~point:(Similarity.point change p.point)
+           ~normal:(Similarity.direction change (p.normal :> Vec3.t)))
+  | Box { low; high } ->
+      if Similarity.keeps_axes change then
+        Some
+          (box_between
+             ~corner:(Similarity.point change low)
+             ~opposite:(Similarity.point change high))
+      else None
+  | Cylinder c ->
+      let { Frustum.a; b; radius_a; _ } = (c :> Frustum.t) in
+      Some
+        (cylinder
+           (Similarity.point change a)
+           (Similarity.point change b)
+           ~radius:(Similarity.factor change *. radius_a))
+  | Cone c ->
+      let { Frustum.a; b; radius_a; radius_b; _ } = (c :> Frustum.t) in
+      let factor = Similarity.factor change in
+      Some
+        (cone
+           (Similarity.point change a)
+           (factor *. radius_a)
+           (Similarity.point change b)
+           (factor *. radius_b))
+  | Torus { centre; axis; ring; tube } ->
+      let factor = Similarity.factor change in
+      Some
+        (torus
+           ~centre:(Similarity.point change centre)
+           ~axis:(Similarity.direction change (axis :> Vec3.t))
+           ~ring:(factor *. ring) ~tube:(factor *. tube))
+  | Disc { centre; normal; radius } ->
+      Some
+        (disc
+           ~centre:(Similarity.point change centre)
+           ~normal:(Similarity.direction change (normal :> Vec3.t))
+           ~radius:(Similarity.factor change *. radius))
+  | Triangle _ | Quad _ | Placed _ -> None
+
+(* What is mirrored keeps the side of its normal. *)
+let by_affine change = function
+  | Plane p -> Some (Plane (Placed.plane (Placed.make change p)))
+  | Triangle { a; b; c; _ } ->
+      let affine = Change.affine change in
+      let point = Affine.point affine in
+      Some
+        (if Affine.determinant affine < 0. then
+           triangle (point a) (point c) (point b)
+         else triangle (point a) (point b) (point c))
+  | Quad { corner; edge; other; _ } ->
+      let affine = Change.affine change in
+      let corner = Affine.point affine corner
+      and edge = Affine.vector affine edge
+      and other = Affine.vector affine other in
+      Some
+        (if Affine.determinant affine < 0. then
+           quad ~corner ~edge:other ~other:edge
+         else quad ~corner ~edge ~other)
+  | Sphere _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _ | Placed _ ->
+      None
+
+(* What stays of its kind. *)
+let baked change shape =
+  let similar =
+    Option.bind (Change.similarity change) (fun similarity ->
+        by_similarity similarity shape)
+  in
+  if Option.is_some similar then similar else by_affine change shape
 
 let box_of_placed box (placed : t Placed.t) =
   match placed.own with
@@ -29,6 +117,13 @@ let box_of_placed box (placed : t Placed.t) =
 let rec box = function
   | Sphere s -> Some (Sphere.box s)
   | Plane _ -> None
+  | Box b -> Some (Box.box b)
+  | Cylinder c -> Some (Frustum.box (c :> Frustum.t))
+  | Cone c -> Some (Frustum.box (c :> Frustum.t))
+  | Torus t -> Some (Torus.box t)
+  | Disc d -> Some (Disc.box d)
+  | Triangle t -> Some (Box3.around (Triangle.corners t))
+  | Quad q -> Some (Box3.around (Quad.corners q))
   | Placed p -> box_of_placed box p
 
 let placed p =
@@ -51,18 +146,39 @@ let rec offer shape ray meeting ~number =
   match shape with
   | Sphere s -> Sphere.offer s ray meeting ~number
   | Plane p -> Plane.offer p ray meeting ~number
+  | Box b -> Box.offer b ray meeting ~number
+  | Cylinder c -> Frustum.offer (c :> Frustum.t) ray meeting ~number
+  | Cone c -> Frustum.offer (c :> Frustum.t) ray meeting ~number
+  | Torus t -> Torus.offer t ray meeting ~number
+  | Disc d -> Disc.offer d ray meeting ~number
+  | Triangle t -> Triangle.offer t ray meeting ~number
+  | Quad q -> Quad.offer q ray meeting ~number
   | Placed p -> Placed.offer offer p ray meeting ~number
 
 let rec crossings_raw shape ray crossings =
   match shape with
   | Sphere s -> Sphere.crossings s ray crossings
   | Plane p -> Plane.crossings p ray crossings
+  | Box b -> Box.crossings b ray crossings
+  | Cylinder c -> Frustum.crossings (c :> Frustum.t) ray crossings
+  | Cone c -> Frustum.crossings (c :> Frustum.t) ray crossings
+  | Torus t -> Torus.crossings t ray crossings
+  | Disc d -> Disc.crossings d ray crossings
+  | Triangle t -> Triangle.crossings t ray crossings
+  | Quad q -> Quad.crossings q ray crossings
   | Placed p -> Placed.crossings crossings_raw p ray crossings
 
 let rec settle shape ~part ray spot =
   match shape with
   | Sphere s -> Sphere.settle s ray spot
   | Plane p -> Plane.settle p ray spot
+  | Box b -> Box.settle b ~part ray spot
+  | Cylinder c -> Frustum.settle (c :> Frustum.t) ~part ray spot
+  | Cone c -> Frustum.settle (c :> Frustum.t) ~part ray spot
+  | Torus t -> Torus.settle t ray spot
+  | Disc d -> Disc.settle d ray spot
+  | Triangle t -> Triangle.settle t ray spot
+  | Quad q -> Quad.settle q ray spot
   | Placed p -> Placed.settle settle p ~part ray spot
 
 (* {1 The same of values} *)
@@ -92,31 +208,67 @@ let normal shape ?(part = 0) { Vec3.x; y; z } =
 let rec depth shape point =
   match shape with
   | Sphere s -> Sphere.depth s point
-  | Plane _ -> neg_infinity
+  | Box b -> Box.depth b point
+  | Cylinder c -> Frustum.depth (c :> Frustum.t) point
+  | Cone c -> Frustum.depth (c :> Frustum.t) point
+  | Torus t -> Torus.depth t point
   | Placed p -> Placed.depth depth p point
+  | Plane _ | Disc _ | Triangle _ | Quad _ -> neg_infinity
 
 (* {1 What is told} *)
 
 let rec name = function
   | Sphere _ -> Sphere.name
   | Plane _ -> Plane.name
+  | Box _ -> Box.name
+  | Cylinder _ -> Cylinder.name
+  | Cone _ -> Cone.name
+  | Torus _ -> Torus.name
+  | Disc _ -> Disc.name
+  | Triangle _ -> Triangle.name
+  | Quad _ -> Quad.name
   | Placed p -> name p.own
+
+let rec part shape k =
+  match shape with
+  | Box _ -> Some (Box.part k)
+  | Cylinder _ | Cone _ -> Frustum.part k
+  | Placed p -> part p.own k
+  | Sphere _ | Plane _ | Torus _ | Disc _ | Triangle _ | Quad _ -> None
 
 let rec parameters = function
   | Sphere s -> Sphere.parameters s
   | Plane p -> Plane.parameters p
+  | Box b -> Box.parameters b
+  | Cylinder c -> Cylinder.parameters c
+  | Cone c -> Cone.parameters c
+  | Torus t -> Torus.parameters t
+  | Disc d -> Disc.parameters d
+  | Triangle t -> Triangle.parameters t
+  | Quad q -> Quad.parameters q
   | Placed p -> parameters p.own
 
-let modifiers = function Placed p -> p.modifiers | Sphere _ | Plane _ -> []
+let modifiers = function Placed p -> p.modifiers | _ -> []
+
+let between_rims (frustum : Frustum.t) =
+  List.concat_map (Round.rim frustum.axis) (Frustum.circles frustum)
 
 let rec outline : t -> Outline.t = function
   | Sphere s -> Ball s
   | Plane p -> Endless p
+  | Box b -> Body [ Box.corners b ]
+  | Cylinder c -> Body [ between_rims (c :> Frustum.t) ]
+  | Cone c -> Body [ between_rims (c :> Frustum.t) ]
+  | Torus t -> Body (Torus.pieces t)
+  | Disc { centre; normal; radius } ->
+      Patch (Round.rim normal (centre, radius))
+  | Triangle t -> Patch (Triangle.corners t)
+  | Quad q -> Patch (Quad.corners q)
   | Placed ({ own; out; _ } as placed) -> (
       let all = List.map (Affine.point out) in
       match outline own with
-      | Ball s -> Hull (all (Sphere.rim s))
-      | Hull points -> Hull (all points)
+      | Ball s -> Body [ all (Sphere.rim s) ]
+      | Body pieces -> Body (List.map all pieces)
       | Patch corners -> Patch (all corners)
       | Endless plane -> Endless (Placed.plane (Placed.with_own plane placed)))
 
@@ -131,15 +283,33 @@ let equal a b =
   && List.equal equal_parameter (parameters a) (parameters b)
   && List.equal equal_modifier (modifiers a) (modifiers b)
 
+let of_frustum frustum =
+  Array.append [| 3. |] (Round.place (Frustum.circles frustum))
+
 (* The first number is the kind. *)
 let rec place = function
   | Sphere { cx; cy; cz; radius } -> [| 0.; cx; cy; cz; radius |]
   | Plane p -> Array.append [| 1. |] (Plane.place p)
+  | Box { low; high } -> [| 2.; low.x; low.y; low.z; high.x; high.y; high.z |]
+  | Cylinder c -> of_frustum (c :> Frustum.t)
+  | Cone c -> of_frustum (c :> Frustum.t)
+  | Torus { centre = { x; y; z }; axis; ring; tube } ->
+      Array.append [| 4.; x; y; z; ring; tube |] (Plane.heading axis)
+  | Disc d -> Array.append [| 5. |] (Disc.place d)
+  | Triangle t -> Array.append [| 6. |] (Flat.place (Triangle.corners t))
+  | Quad q -> Array.append [| 7. |] (Flat.place (Quad.corners q))
   | Placed p -> Array.concat [ [| -1. |]; Affine.numbers p.out; place p.own ]
 
 let rec pp ppf = function
   | Sphere s -> Sphere.pp ppf s
   | Plane p -> Plane.pp ppf p
+  | Box b -> Box.pp ppf b
+  | Cylinder c -> Cylinder.pp ppf c
+  | Cone c -> Cone.pp ppf c
+  | Torus t -> Torus.pp ppf t
+  | Disc d -> Disc.pp ppf d
+  | Triangle t -> Triangle.pp ppf t
+  | Quad q -> Quad.pp ppf q
   | Placed p as placed ->
       Format.fprintf ppf "%a%a" pp p.own (Change.pp_with Number.pp)
         (modifiers placed)

@@ -10,6 +10,13 @@
 type t =
   | Sphere of Sphere.t
   | Plane of Plane.t
+  | Box of Box.t
+  | Cylinder of Cylinder.t
+  | Cone of Cone.t
+  | Torus of Torus.t
+  | Disc of Disc.t
+  | Triangle of Triangle.t
+  | Quad of Quad.t
   | Placed of t Placed.t
       (** what a change has made another kind of shape; the own shape is not
           [Placed] again *)
@@ -23,6 +30,35 @@ val plane : point:Vec3.t -> normal:Vec3.t -> t
 
     Raises [Invalid_argument] if a coordinate is not finite or [normal] is the
     zero vector. *)
+
+val box_between : corner:Vec3.t -> opposite:Vec3.t -> t
+(** [box_between ~corner ~opposite] is {!Box.make} as a shape. *)
+
+val cylinder : Vec3.t -> Vec3.t -> radius:float -> t
+(** [cylinder a b ~radius] is {!Cylinder.make} as a shape. *)
+
+val cone : Vec3.t -> float -> Vec3.t -> float -> t
+(** [cone a radius_a b radius_b] is {!Cone.make} as a shape. *)
+
+val torus : centre:Vec3.t -> axis:Vec3.t -> ring:float -> tube:float -> t
+(** [torus ~centre ~axis ~ring ~tube] is {!Torus.make} as a shape; [axis] may
+    have any length.
+
+    Raises [Invalid_argument] where {!Torus.make} does, or if [axis] is the
+    zero vector. *)
+
+val disc : centre:Vec3.t -> normal:Vec3.t -> radius:float -> t
+(** [disc ~centre ~normal ~radius] is {!Disc.make} as a shape; [normal] may
+    have any length.
+
+    Raises [Invalid_argument] where {!Disc.make} does, or if [normal] is the
+    zero vector. *)
+
+val triangle : Vec3.t -> Vec3.t -> Vec3.t -> t
+(** [triangle a b c] is {!Triangle.make} as a shape. *)
+
+val quad : corner:Vec3.t -> edge:Vec3.t -> other:Vec3.t -> t
+(** [quad ~corner ~edge ~other] is {!Quad.make} as a shape. *)
 
 val transformed : ?keep_own:bool -> Change.t -> t -> t
 (** [transformed ~keep_own change shape] is [shape] as [change] puts it. It
@@ -72,7 +108,7 @@ val intersections : t -> Ray.t -> float list
 
 val normal : t -> ?part:int -> Vec3.t -> Direction.t
 (** [normal shape ~part point] is the unit normal of [part], by default 0, at
-    [point], a point of [shape]: outward for a sphere, as given for a plane. *)
+    [point], a point of [shape]: outward for a solid, else as given. *)
 
 val depth : t -> Vec3.t -> float
 (** [depth shape point] is how far inside of [shape] [point] is, negative
@@ -84,6 +120,10 @@ val depth : t -> Vec3.t -> float
 val name : t -> string
 (** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. A
     {!Placed} one has the name of what it was. *)
+
+val part : t -> int -> string option
+(** [part shape k] is what its part [k] is called, such as ["top"]; [None] if
+    there is no more to say than {!name}. *)
 
 val parameters : t -> (string * Parameter.t) list
 (** [parameters shape] is what the scene language writes after {!name}, in that

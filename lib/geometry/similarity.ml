@@ -52,3 +52,10 @@ let compose second first =
     z = Vec3.make a.z b.z c.z;
     way = point second first.way;
   }
+
+let is_along_axis { Vec3.x; y; z } =
+  match List.filter (fun k -> k <> 0.) [ x; y; z ] with
+  | [ _ ] -> true
+  | _ -> false
+
+let keeps_axes s = List.for_all is_along_axis [ s.x; s.y; s.z ]

@@ -29,3 +29,7 @@ val point : t -> Vec3.t -> Vec3.t
 
 val direction : t -> Vec3.t -> Vec3.t
 (** [direction s v] is [v] turned as [s] turns, as long as it was. *)
+
+val keeps_axes : t -> bool
+(** [keeps_axes s] is whether [s] puts what lies along an axis along an axis,
+    as a turn by 90 degrees around one does. *)

@@ -16,7 +16,23 @@ let after_word (keyword : Keyword.t) count =
 let expression = "a number, a name, a function or what stands in brackets"
 let surfaces = "a surface: diffusive, reflective, luminous or mixed"
 let range = "= and the first value, or in and a list, after the name of a loop"
-let next_item = "a shape: sphere or plane. Settings stand before the objects"
+
+(* All of them, in lines of some fifty letters. *)
+let shapes =
+  let add (text, width) word =
+    let separator, width = if width > 40 then ("\n", 0) else (" ", width) in
+    (text ^ separator ^ word, width + String.length word + 1)
+  in
+  let rec punctuated = function
+    | [ last_but_one; last ] -> [ last_but_one; "or"; last ]
+    | word :: (_ :: _ as rest) -> (word ^ ",") :: punctuated rest
+    | ([] | [ _ ]) as few -> few
+  in
+  match punctuated (Keyword.words Shape) with
+  | first :: rest -> fst (List.fold_left add (first, String.length first) rest)
+  | [] -> ""
+
+let next_item = "a shape: " ^ shapes ^ ". Settings stand before the objects"
 
 let vector letter =
   Printf.sprintf "the %s of a point or vector, which is three numbers: x y z"
@@ -39,13 +55,15 @@ let rule whole before after =
   match (whole, before, after) with
   | ("scene" | "scene'"), _, _ ->
       expected "keyword"
-        "a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
-         depth, eye, lookAt, up, fov, bcolor, raydepth), or lights, objects, \
-         sphere\nor plane"
+        ("a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
+          depth, eye, lookAt, up, fov, bcolor, raydepth), or lights, objects, or\n\
+          a shape: "
+        ^ shapes)
   | "body", [ "LIGHTS"; _ ], _ | "simple_thing", [ "light" ], _ ->
       expected "light"
-        "a light (directional or spherical), or the objects of the scene:\n\
-         objects, sphere or plane. Settings stand before the lights"
+        ("a light (directional or spherical), or the objects of the scene:\n\
+          objects, " ^ shapes
+        ^ ". Settings stand before the lights")
   | "vector", [ _ ], _ -> expected "number" (vector "y")
   | "vector", _, _ -> expected "number" (vector "z")
   | "color", [ _ ], _ -> expected "number" (channel "green")
@@ -59,8 +77,8 @@ let rule whole before after =
         "a surface after its weight: diffusive, reflective, luminous or mixed"
   | "parts", _, _ ->
       expected "shape"
-        "the next object (sphere or plane), or another weight and surface for\n\
-         the mix"
+        ("the next object (" ^ shapes
+        ^ "), or another weight and surface for the mix")
   | _, _, "surface" :: _ -> expected "surface" surfaces
   | "group", _, _ -> expected "item" (item_or_end "group")
   | "simple_thing", "FOR" :: _, "range" :: _ -> expected "'=' or 'in'" range
@@ -78,8 +96,9 @@ let rule whole before after =
   | _, _, ("modifiers" | "some_modifiers") :: _
   | ("modifiers" | "some_modifiers"), _, _ ->
       expected "shape"
-        "the next object (sphere or plane), or scaled, rotated or translated \
-         for\nthe one before. Settings stand before the objects"
+        ("the next object (" ^ shapes
+        ^ "), or scaled, rotated or translated for the one\n\
+           before. Settings stand before the objects")
   | "definition", [ "LET" ], _ ->
       expected "name"
         "a name after let: letters, digits and _, and none of let, for, if, \

@@ -127,6 +127,53 @@ let shapes : t list =
                     numbers, x y z");
         ("number", "the normal of the plane: three numbers, x y z") ]
       "a plane without end";
+    row "box" BOX "BOX"
+      [ ("number", "a corner of the box: box CORNER CORNER, each three \
+                    numbers, x y z");
+        ("number", "the opposite corner of the box: three numbers, x y z") ]
+      "a box with sides along the axes";
+    row "cylinder" CYLINDER "CYLINDER"
+      [ ("number", "the first end of the cylinder: cylinder POINT POINT RADIUS, \
+                    each point\nbeing three numbers, x y z");
+        ("number", "the second end of the cylinder: three numbers, x y z");
+        ("number", "the radius of the cylinder after its two ends") ]
+      "a cylinder, closed at both ends";
+    row "cone" CONE "CONE"
+      [ ("number", "the first end of the cone: cone POINT RADIUS POINT RADIUS, \
+                    each point being\nthree numbers, x y z");
+        ("number", "the radius of the cone at its first end");
+        ("number", "the second end of the cone: three numbers, x y z");
+        ("number", "the radius of the cone at its second end") ]
+      "a cone, closed at both ends";
+    row "torus" TORUS "TORUS"
+      [ ("number", "the centre of the torus: torus CENTRE AXIS RADIUS \
+                    RADIUS_OF_TUBE, the centre\nand the axis being three \
+                    numbers, x y z");
+        ("number", "the axis of the torus: three numbers, x y z");
+        ("number", "the radius of the torus, from its centre to the middle of \
+                    its tube");
+        ("number", "the radius of the tube after that of the ring") ]
+      "a ring";
+    row "disc" DISC "DISC"
+      [ ("number", "the centre of the disc: disc CENTRE NORMAL RADIUS, the \
+                    centre being three\nnumbers, x y z");
+        ("number", "the normal of the disc: three numbers, x y z");
+        ("number", "the radius of the disc after its normal") ]
+      "a flat round piece of a plane";
+    row "triangle" TRIANGLE "TRIANGLE"
+      [ ("number", "the first corner of the triangle: triangle A B C, each \
+                    three numbers, x y z");
+        ("number", "the second corner of the triangle: three numbers, x y z");
+        ("number", "the third corner of the triangle: three numbers, x y z") ]
+      "a triangle";
+    row "quad" QUAD "QUAD"
+      [ ("number", "a corner of the quad: quad CORNER EDGE EDGE, each three \
+                    numbers, x y z");
+        ("number", "the first edge of the quad, from its corner: three \
+                    numbers, x y z");
+        ("number", "the second edge of the quad, from its corner: three \
+                    numbers, x y z") ]
+      "a parallelogram";
   ]
 [@@ocamlformat "disable"]
 
@@ -220,6 +267,11 @@ let colors : t list =
 let table =
   settings @ others @ lights @ shapes @ surfaces @ modifiers @ structure
   @ operators @ colors
+
+let words role =
+  List.filter_map
+    (fun row -> if row.role = role then Some row.word else None)
+    table
 
 let all =
   List.filter_map

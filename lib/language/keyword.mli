@@ -33,6 +33,9 @@ type t = {
 val table : t list
 (** [table] is all words. *)
 
+val words : role -> string list
+(** [words role] is all words of [role], in the order of {!table}. *)
+
 val all : (string * Parser.token) list
 (** [all] is every keyword and colour name, as one writes it, with its token.
 *)

@@ -49,7 +49,9 @@ let modifier change loc = { Syntax.change; span = span loc }
 %token SAMPLES "samples" EXPOSURE "exposure" SRGB "srgb"
 %token APERTURE "aperture" FOCUS "focus"
 %token LIGHTS "lights" DIRECTIONAL "directional" SPHERICAL "spherical"
-%token OBJECTS "objects" SPHERE "sphere" PLANE "plane" GROUP "group"
+%token OBJECTS "objects" GROUP "group"
+%token SPHERE "sphere" PLANE "plane" BOX "box" CYLINDER "cylinder" CONE "cone"
+%token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
 %token MIXED "mixed"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
@@ -231,6 +233,18 @@ light:
 shape:
   | "sphere" centre = vector radius = atom { Shapes.sphere centre radius }
   | "plane" point = vector normal = vector { Shapes.plane point normal }
+  | "box" corner = vector opposite = vector { Shapes.box corner opposite }
+  | "cylinder" a = vector b = vector radius = atom
+      { Shapes.cylinder a b radius }
+  | "cone" a = vector radius_a = atom b = vector radius_b = atom
+      { Shapes.cone a radius_a b radius_b }
+  | "torus" centre = vector axis = vector ring = atom tube = atom
+      { Shapes.torus centre axis ring tube }
+  | "disc" centre = vector normal = vector radius = atom
+      { Shapes.disc centre normal radius }
+  | "triangle" a = vector b = vector c = vector { Shapes.triangle a b c }
+  | "quad" corner = vector edge = vector other = vector
+      { Shapes.quad corner edge other }
 
 group:
   | "group" items = items "end" { List.rev items }

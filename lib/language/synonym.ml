@@ -15,6 +15,13 @@ let rows =
     ("mixed", "mix mixes mixture blend blended combine combined layered");
     ("sphere", "ball balls globe orb spheroid");
     ("plane", "floor ground wall ceiling half-space infinite-plane");
+    ("box", "cube cuboid block brick");
+    ("cylinder", "tube pipe rod column pillar");
+    ("cone", "frustum cone-frustum pyramid");
+    ("torus", "ring donut doughnut");
+    ("disc", "disk circle");
+    ("triangle", "tri polygon");
+    ("quad", "rectangle rect square parallelogram quadrangle polygon");
     ( "spherical",
       "point point-light lamp bulb light-bulb omni omnidirectional positional \
        light light-source" );

@@ -33,6 +33,26 @@ let sphere centre radius surface =
 let plane point normal surface =
   Object.make (Shape.plane ~point ~normal) surface
 
+let box corner opposite surface =
+  Object.make (Shape.box_between ~corner ~opposite) surface
+
+let cylinder a b radius surface =
+  Object.make (Shape.cylinder a b ~radius) surface
+
+let cone a radius_a b radius_b surface =
+  Object.make (Shape.cone a radius_a b radius_b) surface
+
+let torus centre axis ring tube surface =
+  Object.make (Shape.torus ~centre ~axis ~ring ~tube) surface
+
+let disc centre normal radius surface =
+  Object.make (Shape.disc ~centre ~normal ~radius) surface
+
+let triangle a b c surface = Object.make (Shape.triangle a b c) surface
+
+let quad corner edge other surface =
+  Object.make (Shape.quad ~corner ~edge ~other) surface
+
 let changed modifier = Object.transformed (Change.of_modifiers [ modifier ])
 let scaled k = changed (Scaled k)
 let stretched factors = changed (Stretched factors)

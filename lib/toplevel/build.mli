@@ -69,6 +69,31 @@ val plane : Vec3.t -> Vec3.t -> Surface.t -> Object.t
 (** [plane point normal surface] is the plane through [point] perpendicular to
     [normal]. *)
 
+val box : Vec3.t -> Vec3.t -> Surface.t -> Object.t
+(** [box corner opposite surface] is the box between two opposite corners. *)
+
+val cylinder : Vec3.t -> Vec3.t -> float -> Surface.t -> Object.t
+(** [cylinder a b radius surface] is the cylinder from [a] to [b]. *)
+
+val cone : Vec3.t -> float -> Vec3.t -> float -> Surface.t -> Object.t
+(** [cone a radius_a b radius_b surface] is the cone from [a] to [b] with these
+    radii there. *)
+
+val torus : Vec3.t -> Vec3.t -> float -> float -> Surface.t -> Object.t
+(** [torus centre axis ring tube surface] is the ring around [axis] whose
+    middle is the circle of radius [ring], and whose tube has radius [tube]. *)
+
+val disc : Vec3.t -> Vec3.t -> float -> Surface.t -> Object.t
+(** [disc centre normal radius surface] is the disc perpendicular to [normal].
+*)
+
+val triangle : Vec3.t -> Vec3.t -> Vec3.t -> Surface.t -> Object.t
+(** [triangle a b c surface] is the triangle with these corners. *)
+
+val quad : Vec3.t -> Vec3.t -> Vec3.t -> Surface.t -> Object.t
+(** [quad corner edge other surface] is the parallelogram with a corner and the
+    two edges that begin there. *)
+
 (** {1 Modifiers}
 
     Each takes the object last: [sphere c r s |> stretched (vec 2. 1. 1.)]. *)

@@ -11,6 +11,13 @@ let box = Broken.at_words Box3.pp
 let shape = Broken.at_words Shape.pp
 let sphere = Broken.at_words Sphere.pp
 let plane = Broken.at_words Plane.pp
+let box_shape = Broken.at_words Box.pp
+let cylinder = Broken.at_words Cylinder.pp
+let cone = Broken.at_words Cone.pp
+let torus = Broken.at_words Torus.pp
+let disc = Broken.at_words Disc.pp
+let triangle = Broken.at_words Triangle.pp
+let quad = Broken.at_words Quad.pp
 
 let color ppf c =
   Format.fprintf ppf "%a%a" Color.pp c (Swatch.pp_with (Console.swatches ())) c

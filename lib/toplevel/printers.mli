@@ -38,6 +38,34 @@ val plane : Format.formatter -> Plane.t -> unit
 [@@ocaml.toplevel_printer]
 (** as {!shape} *)
 
+val box_shape : Format.formatter -> Box.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
+val cylinder : Format.formatter -> Cylinder.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
+val cone : Format.formatter -> Cone.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
+val torus : Format.formatter -> Torus.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
+val disc : Format.formatter -> Disc.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
+val triangle : Format.formatter -> Triangle.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
+val quad : Format.formatter -> Quad.t -> unit
+[@@ocaml.toplevel_printer]
+(** as {!shape} *)
+
 (** {1 Scenes} *)
 
 val color : Format.formatter -> Color.t -> unit

@@ -56,14 +56,25 @@ let test_patch () =
   in
   (match draw [ v 1. 5. 1.; v 3. 5. 1.; v 2. 5. 4. ] with
   | None -> Alcotest.fail "nothing"
-  | Some (mark, (x, y)) ->
+  | Some (marks, (x, y)) ->
       Expect.contains "corners" ~part:"10.0,90.0 30.0,90.0 20.0,60.0"
-        (Svg.mark mark);
+        (String.concat "" (List.map Svg.mark marks));
       Alcotest.check (Same.near 1e-9) "label, across" 20. x;
       Alcotest.check (Same.near 1e-9) "label, above the middle" 73. y);
   Alcotest.(check bool)
     "far away" true
     (draw [ v 0. 0. 0.; v 1e9 0. 0.; v 0. 0. 1e9 ] = None)
+
+(* A torus is all its pieces, around its hole. *)
+let test_body () =
+  let torus centre =
+    Object.make
+      (Shape.torus ~centre ~axis:(v 0. 1. 0.) ~ring:2. ~tube:0.5)
+      Surface.reflective
+  in
+  let scene = Scene.make ~objects:[ torus (v 0. 0. 6.) ] (camera ()) in
+  let _, svg = draw scene in
+  check_count "24 pieces in each of two panels" 48 {|stroke-width="0.5"|} svg
 
 (* {1 Any scene} *)
 
@@ -120,5 +131,6 @@ let suite =
       Alcotest.test_case "thousands of spheres" `Quick test_many;
       Alcotest.test_case "extent" `Quick test_extent;
       Alcotest.test_case "a piece of a plane" `Quick test_patch;
+      Alcotest.test_case "a body" `Quick test_body;
     ]
     @ sound )

@@ -113,18 +113,29 @@ let modifier number random =
   | _ -> "translated " ^ vector number random
 
 let object_ number random =
-  let shape =
-    if Random.State.bool random then
-      Printf.sprintf "sphere %s %s" (vector number random)
-        (positive number random)
-    else
-      Printf.sprintf "plane %s %s" (vector number random)
-        (direction number random)
+  let vector _ = vector number random
+  and direction _ = direction number random
+  and positive _ = positive number random
+  and at_least_0 _ = at_least_0 number random in
+  let word, parameters =
+    match up_to random 8 with
+    | 0 -> ("sphere", [ vector; positive ])
+    | 1 -> ("plane", [ vector; direction ])
+    | 2 -> ("box", [ vector; vector ])
+    | 3 -> ("cylinder", [ vector; vector; positive ])
+    | 4 -> ("cone", [ vector; at_least_0; vector; at_least_0 ])
+    | 5 -> ("torus", [ vector; direction; positive; positive ])
+    | 6 -> ("disc", [ vector; direction; positive ])
+    | 7 -> ("triangle", [ vector; vector; vector ])
+    | _ -> ("quad", [ vector; direction; direction ])
   in
   let modifiers =
     if one_in random 3 then some random 3 (modifier number) else ""
   in
-  String.concat " " [ shape; surface number 3 random; modifiers ] ^ "\n"
+  String.concat " "
+    ((word :: List.map (fun write -> write ()) parameters)
+    @ [ surface number 3 random; modifiers ])
+  ^ "\n"
 
 let light number random =
   let intensity = at_least_0 number random and color = color number random in

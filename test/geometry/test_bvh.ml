@@ -32,9 +32,14 @@ let on_a_grid =
     let cell = map float_of_int (-3 -- 3) in
     pair
       (array_size (0 -- 60)
-         (map2
-            (fun centre radius -> Shape.sphere ~centre ~radius)
-            (Generate.vec3 cell)
+         (map3
+            (fun is_box centre radius ->
+              if is_box then
+                let far = Vec3.make radius radius radius in
+                Shape.box_between ~corner:centre
+                  ~opposite:(Vec3.add centre far)
+              else Shape.sphere ~centre ~radius)
+            bool (Generate.vec3 cell)
             (oneofl [ 0.5; 1.; 2. ])))
       (list_size (1 -- 30) (Generate.ray cell)))
 
@@ -81,7 +86,14 @@ let test_domains () =
   in
   check_same "four domains" ~domains:4 shapes
 
-let holds name count gen = Property.holds name ~count gen agrees
+let print (shapes, rays) =
+  Format.asprintf "%a@.%a"
+    (Format.pp_print_list Shape.pp)
+    (Array.to_list shapes)
+    (Format.pp_print_list Ray.pp)
+    rays
+
+let holds name count gen = Property.holds name ~count ~print gen agrees
 
 let suite =
   ( "Bvh",

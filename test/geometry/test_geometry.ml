@@ -13,6 +13,10 @@ let () =
       Test_sphere.suite;
       Test_sphere_precision.suite;
       Test_plane.suite;
+      Test_box.suite;
+      Test_frustum.suite;
+      Test_torus.suite;
+      Test_flat.suite;
       Test_shape.suite;
       Test_placed.suite;
       Test_finder.suite;

@@ -136,11 +136,29 @@ let nearest_is_least =
       Shape.nearest shape ray
       = Option.map (fun (c : Crossings.crossing) -> (c.t, c.part)) first)
 
+let from_axis centre (axis : Direction.t) point =
+  let p = Vec3.sub point centre and w = (axis :> Vec3.t) in
+  let height = Vec3.dot p w in
+  (height, Vec3.length (Vec3.sub p (Vec3.scale height w)))
+
+let frustum_holds { Frustum.a; axis; radius_a; length; slope; _ } point =
+  let height, across = from_axis a axis point in
+  0. < height && height < length && across < radius_a +. (slope *. height)
+
 (* Whether a point is in the inside of a shape, by what a shape is. *)
 let rec holds_point shape point =
   match (shape : Shape.t) with
   | Sphere s -> Vec3.length (Vec3.sub point (Sphere.centre s)) < s.radius
   | Plane p -> Vec3.dot (Vec3.sub point p.point) (p.normal :> Vec3.t) < 0.
+  | Box { low; high } ->
+      low.x < point.x && point.x < high.x && low.y < point.y
+      && point.y < high.y && low.z < point.z && point.z < high.z
+  | Cylinder c -> frustum_holds (c :> Frustum.t) point
+  | Cone c -> frustum_holds (c :> Frustum.t) point
+  | Torus { centre; axis; ring; tube } ->
+      let height, across = from_axis centre axis point in
+      Float.hypot (across -. ring) height < tube
+  | Disc _ | Triangle _ | Quad _ -> false
   | Placed p -> holds_point p.own (Affine.point p.back point)
 
 (* Far enough from every crossing for rounding not to decide. *)
@@ -171,17 +189,81 @@ let inside_by_turns =
         (between_crossings (Shape.intersections shape ray)))
 
 let pairs =
-  Property.holds "a sphere's crossings come in pairs, in and out" ~count:2000
+  Property.holds "a solid's crossings come in pairs, in and out" ~count:5000
     QCheck2.Gen.(
-      triple
-        (Generate.vec3 Generate.extreme)
-        (Generate.positive Generate.extreme)
-        (Generate.ray Generate.extreme))
-    (fun (centre, radius, ray) ->
-      match Ask.crossings (Shape.sphere ~centre ~radius) ray with
-      | [] -> true
-      | [ (a, 0, true); (b, 0, false) ] -> a <= b
-      | _ -> false)
+      pair (Generate.solid Generate.extreme) (Generate.ray Generate.extreme))
+    (fun (solid, ray) ->
+      let rec are_pairs last = function
+        | [] -> true
+        | (a, _, true) :: (b, _, false) :: rest ->
+            last <= a && a <= b && are_pairs b rest
+        | _ -> false
+      in
+      are_pairs neg_infinity (Ask.crossings solid ray))
+
+(* Rays that start near the shape, as far as it has a place. *)
+let hits_of number =
+  QCheck2.Gen.(pair (Generate.shape number) (Generate.ray number))
+
+let print =
+  Property.show (fun ppf (shape, ray) ->
+      Format.fprintf ppf "%a@.%a" Shape.pp shape Ray.pp ray)
+
+let hits shape ray =
+  List.map
+    (fun (t, part, enters) -> (Ask.spot ~part shape ~reach:t ray, t, enters))
+    (Ask.crossings shape ray)
+
+let settled_is_met =
+  Property.holds "what is settled lies on the ray and on the shape" ~count:5000
+    ~print (hits_of Generate.everyday) (fun (shape, ray) ->
+      let lies (spot, t, _) =
+        let point = Spot.point spot in
+        Vec3.length (Vec3.sub point (Ray.at ray t)) < 1e-6
+        &&
+        let depth = Shape.depth shape point in
+        depth = neg_infinity || abs_float depth < 1e-12
+      in
+      List.for_all lies (hits shape ray))
+
+let normal_is_outward =
+  Property.holds "normals have length 1 and point outwards" ~count:5000 ~print
+    (hits_of Generate.everyday) (fun (shape, ray) ->
+      let d = (Ray.direction ray :> Vec3.t) in
+      let is_outward ((spot : Spot.t), _, enters) =
+        let n = Vec3.make spot.nx spot.ny spot.nz in
+        let along = Vec3.dot n d in
+        abs_float (Vec3.length n -. 1.) < 1e-14
+        && (Shape.depth shape Vec3.zero = neg_infinity
+           || if enters then along < 1e-6 else along > -1e-6)
+      in
+      List.for_all is_outward (hits shape ray))
+
+(* Grazing rays aside, where rounding decides. *)
+let moved_together =
+  Property.holds "shape and ray moved together meet as before" ~count:5000
+    ~print:(fun (a, _) -> print a)
+    QCheck2.Gen.(
+      pair (hits_of Generate.everyday) (Generate.change Generate.everyday))
+    (fun ((shape, ray), change) ->
+      let affine = Change.affine change in
+      let way = Affine.vector affine (Ray.direction ray :> Vec3.t) in
+      let moved_ray = Build.ray (Affine.point affine (Ray.origin ray)) way
+      and factor = Vec3.length way in
+      let before = Ask.crossings shape ray
+      and after = Ask.crossings (Shape.transformed change shape) moved_ray in
+      let near (a, _, enters) (b, _, enters') =
+        abs_float ((a *. factor) -. b) < 1e-5 *. (1. +. abs_float b)
+        && enters = enters'
+      in
+      let rec is_graze = function
+        | (a, _, _) :: ((b, _, _) :: _ as rest) ->
+            b -. a < 1e-4 || is_graze rest
+        | _ -> false
+      in
+      is_graze before || is_graze after
+      || List.length before = List.length after
+         && List.for_all2 near before after)
 
 let suite =
   ( "Shape",
@@ -198,4 +280,7 @@ let suite =
       nearest_is_least;
       inside_by_turns;
       pairs;
+      settled_is_met;
+      normal_is_outward;
+      moved_together;
     ] )

@@ -63,9 +63,9 @@ Where apt has OCaml 5
   env DEBIAN_FRONTEND=noninteractive apt-get update
   env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ocaml ocaml-findlib ocaml-dune menhir libmenhir-ocaml-dev utop libgraphics-ocaml-dev libx11-dev libzip-ocaml-dev libcmdliner-ocaml-dev libyojson-ocaml-dev
   $ setup debian13 1000 sudo --dry-run --test
-  setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs
+  setup: to be installed by apt: ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs povray
   sudo env DEBIAN_FRONTEND=noninteractive apt-get update
-  sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml nodejs
+  sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ALL libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml nodejs povray
   $ setup testing 0 - --dry-run
   setup: to be installed by apt: ALL
   env DEBIAN_FRONTEND=noninteractive apt-get update
@@ -120,9 +120,9 @@ Nothing to do: no root, no network and no question.
   $ setup debian12 1000 -
   setup: everything is there already.
   $ setup debian13 0 - --dry-run --test
-  setup: to be installed by apt: libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs
+  setup: to be installed by apt: libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat>=0.27 ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml>=5 nodejs povray
   env DEBIAN_FRONTEND=noninteractive apt-get update
-  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml nodejs
+  env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends libalcotest-ocaml-dev libqcheck-ocaml-dev ocamlformat ocaml-odoc tmux xvfb xdotool imagemagick netpbm libgdk-pixbuf2.0-bin libstb-dev slurm-wlm munge groff-base mandoc js-of-ocaml nodejs povray
   $ : > installed
 
 Debian 12
@@ -290,7 +290,7 @@ Elsewhere
   $ setup fedora 1000 opam --dry-run --test --yes
   setup: to be installed by opam: dune>=3.17 graphics camlzip>=1.12 cmdliner=1.3.0 yojson>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc js_of_ocaml-compiler
   opam install --yes dune\>=3.17 graphics camlzip\>=1.12 cmdliner=1.3.0 yojson\>=2.0.0 alcotest qcheck qcheck-alcotest ocamlformat=0.27.0 odoc js_of_ocaml-compiler
-  setup: the tests need also, from the system: tmux, Xvfb, xdotool, ImageMagick, netpbm, gdk-pixbuf-pixdata, stb_image.h, Slurm (slurmctld and slurmd), munge, groff, mandoc and node.
+  setup: the tests need also, from the system: tmux, Xvfb, xdotool, ImageMagick, netpbm, gdk-pixbuf-pixdata, stb_image.h, Slurm (slurmctld and slurmd), munge, groff, mandoc, node and povray.
   setup: to put dune on the PATH, run: eval $(opam env)
   $ echo 'ocaml 4.14.2' > switch
   $ setup fedora 1000 opam --dry-run

@@ -58,16 +58,79 @@ let modifier number =
 let change number =
   map Change.of_modifiers (list_size (1 -- 4) (modifier number))
 
-let simple_shape number =
+(* What numbers do not make is a ball. *)
+let fitting make =
+  try make ()
+  with Invalid_argument _ -> Shape.sphere ~centre:Vec3.zero ~radius:1.
+
+let along (d : Direction.t) = (d :> Vec3.t)
+
+let box number =
+  map2
+    (fun corner opposite ->
+      fitting (fun () -> Shape.box_between ~corner ~opposite))
+    (vec3 number) (vec3 number)
+
+let cylinder number =
+  map3
+    (fun a b radius -> fitting (fun () -> Shape.cylinder a b ~radius))
+    (vec3 number) (vec3 number) (positive number)
+
+let cone number =
+  map3
+    (fun (a, radius_a) b radius_b ->
+      fitting (fun () -> Shape.cone a radius_a b radius_b))
+    (pair (vec3 number) (at_least_0 number))
+    (vec3 number)
+    (oneof [ at_least_0 number; pure 0. ])
+
+let torus number =
+  map3
+    (fun centre axis (a, b) ->
+      Shape.torus ~centre ~axis:(along axis) ~ring:(Float.max a b)
+        ~tube:(Float.min a b))
+    (vec3 number) (direction number)
+    (pair (positive number) (positive number))
+
+let disc number =
+  map3
+    (fun centre normal radius ->
+      Shape.disc ~centre ~normal:(along normal) ~radius)
+    (vec3 number) (direction number) (positive number)
+
+let triangle number =
+  map3
+    (fun a b c -> fitting (fun () -> Shape.triangle a b c))
+    (vec3 number) (vec3 number) (vec3 number)
+
+let quad number =
+  map3
+    (fun corner edge other ->
+      fitting (fun () -> Shape.quad ~corner ~edge ~other))
+    (vec3 number) (vec3 number) (vec3 number)
+
+let sphere number =
+  map2
+    (fun centre radius -> Shape.sphere ~centre ~radius)
+    (vec3 number) (positive number)
+
+let plane number =
+  map2
+    (fun point normal -> Shape.plane ~point ~normal:(along normal))
+    (vec3 number) (direction number)
+
+let solid number =
   oneof
+    [ sphere number; box number; cylinder number; cone number; torus number ]
+
+let simple_shape number =
+  frequency
     [
-      map2
-        (fun centre radius -> Shape.sphere ~centre ~radius)
-        (vec3 number) (positive number);
-      map2
-        (fun point (normal : Direction.t) ->
-          Shape.plane ~point ~normal:(normal :> Vec3.t))
-        (vec3 number) (direction number);
+      (5, solid number);
+      (1, plane number);
+      (1, disc number);
+      (1, triangle number);
+      (1, quad number);
     ]
 
 let shape number =

@@ -30,11 +30,15 @@ val vec3 : float Gen.t -> Vec3.t Gen.t
 val direction : float Gen.t -> Direction.t Gen.t
 val ray : float Gen.t -> Ray.t Gen.t
 
+val solid : float Gen.t -> Shape.t Gen.t
+(** Shapes with an inside and an end. *)
+
 val change : float Gen.t -> Change.t Gen.t
 (** Up to four modifiers, with factors from 0.3 to 2.6, negative ones too. *)
 
 val simple_shape : float Gen.t -> Shape.t Gen.t
-(** As it is written, without a change. *)
+(** As it is written, without a change. What numbers do not make, such as a
+    triangle of no width, is the ball of radius 1. *)
 
 val shape : float Gen.t -> Shape.t Gen.t
 (** Some of them changed. *)

@@ -139,7 +139,8 @@ Words
   save "FILE"   writes it as .bmp, .png or .ppm
   
   Scenes are built with vec, rgb, red ... white, directional, spherical, sphere,
-  plane, diffusive, reflective, luminous and mixed, as in a scene file:
+  plane, box, cylinder, cone, torus, disc, triangle, quad, diffusive, reflective,
+  luminous and mixed, as in a scene file:
   
   use (Scene.make camera
          ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]

@@ -44,7 +44,7 @@ let test_sides () =
 let at_its_place (shape : Shape.t) own_point =
   match shape with
   | Placed { out; _ } -> Affine.point out own_point
-  | Sphere _ | Plane _ -> own_point
+  | _ -> own_point
 
 (* Beside the point by rounding alone, and on the plane by nothing. *)
 let own_point =

@@ -6,14 +6,7 @@ open Raylab_scene
 open Raylab_tracer
 open Test_support
 
-let scale_shape k = function
-  | Shape.Sphere s ->
-      Shape.sphere
-        ~centre:(Vec3.scale k (Sphere.centre s))
-        ~radius:(k *. s.radius)
-  | Plane p ->
-      Shape.plane ~point:(Vec3.scale k p.point) ~normal:(p.normal :> Vec3.t)
-  | placed -> Shape.transformed Change.(of_modifiers [ Scaled k ]) placed
+let scale_shape k = Shape.transformed Change.(of_modifiers [ Scaled k ])
 
 let scale_light k (light : Light.t) =
   match light.source with

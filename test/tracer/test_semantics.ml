@@ -48,7 +48,117 @@ let undo_point p : Change.modifier -> Vec3.t = function
 
 let undone undo modifiers v = List.fold_left undo v (List.rev modifiers)
 
-let rec intersections (shape : Shape.t) ({ o; d; _ } as ray) =
+(* The height along an axis from a point, and the way from the axis. *)
+let from_axis a (axis : Direction.t) p =
+  let w = (axis :> Vec3.t) in
+  let y = dot (p - a) w in
+  (y, p - a - (y * w))
+
+let axes =
+  [
+    (fun { Vec3.x; _ } -> x);
+    (fun { Vec3.y; _ } -> y);
+    (fun { Vec3.z; _ } -> z);
+  ]
+
+let rec is_within low high p = function
+  | [] -> true
+  | of_axis :: rest ->
+      of_axis low <= of_axis p
+      && of_axis p <= of_axis high
+      && is_within low high p rest
+
+(* Each face, with its coordinate and outward normal. *)
+let faces { Box.low; high } =
+  List.concat_map
+    (fun axis ->
+      let unit sign =
+        let along k = if List.nth axes k == axis then sign else 0. in
+        Vec3.make (along 0) (along 1) (along 2)
+      in
+      [ (axis, axis low, unit (-1.)); (axis, axis high, unit 1.) ])
+    axes
+
+let box_intersections ({ Box.low; high } as box) ({ o; d; _ } as ray) =
+  List.filter_map
+    (fun (axis, value, _) ->
+      let t = (value -. axis o) /. axis d in
+      let others = List.filter (fun other -> other != axis) axes in
+      if is_within low high (at ray t) others then Some t else None)
+    (faces box)
+
+let roots a b c =
+  let delta = (b *. b) -. (a *. c) in
+  if delta < 0. then []
+  else [ (-.b -. sqrt delta) /. a; (-.b +. sqrt delta) /. a ]
+
+let frustum_intersections (f : Frustum.t) ({ o; d; _ } as ray) =
+  let w = (f.axis :> Vec3.t) in
+  let y, q = from_axis f.a f.axis o in
+  let e = d - (dot d w * w) and h = f.slope *. dot d w in
+  let g = f.radius_a +. (f.slope *. y) in
+  let wall =
+    roots (dot e e -. (h *. h)) (dot q e -. (g *. h)) (dot q q -. (g *. g))
+  and is_on_wall t =
+    let y, _ = from_axis f.a f.axis (at ray t) in
+    0. <= y && y <= f.length
+  and ends =
+    [ (0., f.radius_a); (f.length, f.radius_b) ]
+    |> List.filter_map (fun (height, radius) ->
+           let t = (height -. y) /. dot d w in
+           let _, q = from_axis f.a f.axis (at ray t) in
+           if length q <= radius then Some t else None)
+  in
+  List.filter is_on_wall wall @ ends
+
+(* All roots of a polynomial that begins with x^4, at once (E. Durand, 1960;
+   I. Kerner, 1966): not the way of the tracer. *)
+let quartic_roots c3 c2 c1 c0 =
+  let open Complex in
+  let real x = { re = x; im = 0. } in
+  let value x =
+    List.fold_left
+      (fun sum c -> add (mul sum x) (real c))
+      one [ c3; c2; c1; c0 ]
+  in
+  let better roots =
+    List.mapi
+      (fun k x ->
+        let others = List.filteri (fun l _ -> l <> k) roots in
+        let product = List.fold_left (fun p y -> mul p (sub x y)) one others in
+        sub x (div (value x) product))
+      roots
+  in
+  let start = List.map (fun k -> pow { re = 0.4; im = 0.9 } (real k)) in
+  Seq.iterate better (start [ 0.; 1.; 2.; 3. ])
+  |> Seq.drop 100 |> Seq.uncons |> Option.get |> fst
+  |> List.filter_map (fun { re; im } ->
+         if abs_float im < 1e-5 then Some re else None)
+
+let torus_intersections { Torus.centre; axis; ring; tube } { o; d; _ } =
+  let w = (axis :> Vec3.t) and size = length d in
+  let d = unit d in
+  let m = dot (centre - o) d in
+  let v = o + (m * d) - centre in
+  let y = dot v w and k = dot v v +. (ring *. ring) -. (tube *. tube) in
+  let r = 4. *. ring *. ring and rise = dot d w in
+  quartic_roots 0.
+    ((2. *. k) -. (r *. (1. -. (rise *. rise))))
+    (2. *. r *. y *. rise)
+    ((k *. k) -. (r *. (dot v v -. (y *. y))))
+  |> List.map (fun s -> (m +. s) /. size)
+
+let plane_intersections q (normal : Direction.t) { o; d; _ } =
+  let n = (normal :> Vec3.t) in
+  if dot d n <> 0. then [ dot (q - o) n /. dot d n ] else []
+
+(* The numbers u and v with p = corner + u e1 + v e2. *)
+let in_plane corner e1 e2 p =
+  let n = Vec3.cross e1 e2 and p = p - corner in
+  (dot (Vec3.cross p e2) n /. dot n n, dot (Vec3.cross e1 p) n /. dot n n)
+
+let rec intersections (shape : Shape.t) ray =
+  let { o; d; _ } = ray in
   match shape with
   | Sphere s ->
       (* of a ray whose direction may have any length *)
@@ -58,25 +168,80 @@ let rec intersections (shape : Shape.t) ({ o; d; _ } as ray) =
       let delta = (s.radius *. s.radius) -. dot l l in
       let half = sqrt (delta /. dd) in
       if delta >= 0. then [ m -. half; m +. half ] else []
-  | Plane { point = q; normal } ->
-      let n = (normal :> Vec3.t) in
-      if dot d n <> 0. then [ dot (q - o) n /. dot d n ] else []
+  | Plane { point; normal } -> plane_intersections point normal ray
+  | Box b -> box_intersections b ray
+  | Cylinder c -> frustum_intersections (c :> Frustum.t) ray
+  | Cone c -> frustum_intersections (c :> Frustum.t) ray
+  | Torus t -> torus_intersections t ray
+  | Disc { centre; normal; radius } ->
+      let is_in t = length (at ray t - centre) < radius in
+      List.filter is_in (plane_intersections centre normal ray)
+  | Triangle { a; b; c; normal; _ } ->
+      let is_in t =
+        let u, v = in_plane a (b - a) (c - a) (at ray t) in
+        u >= 0. && v >= 0. && u +. v <= 1.
+      in
+      List.filter is_in (plane_intersections a normal ray)
+  | Quad { corner; edge; other; normal; _ } ->
+      let is_in t =
+        let u, v = in_plane corner edge other (at ray t) in
+        u >= 0. && v >= 0. && u <= 1. && v <= 1.
+      in
+      List.filter is_in (plane_intersections corner normal ray)
   | Placed { own; modifiers; _ } ->
       let o = undone undo_point modifiers o
       and d = undone undo_vector modifiers d in
       intersections own { ray with o; d }
 
+(* Of faces, each with how far away it is, the nearest one's normal. *)
+let of_nearest faces =
+  let nearer (a, _) (b, _) = Float.compare (abs_float a) (abs_float b) in
+  snd (List.hd (List.sort nearer faces))
+
+let frustum_outward (f : Frustum.t) p =
+  let w = (f.axis :> Vec3.t) in
+  let y, q = from_axis f.a f.axis p in
+  let wall = unit (unit q - (f.slope * w)) in
+  of_nearest
+    [
+      (length q -. f.radius_a -. (f.slope *. y), wall);
+      (y, -w);
+      (f.length -. y, w);
+    ]
+
 (* M^-T is made of the columns of M^-1. *)
 let rec outward (shape : Shape.t) p =
   match shape with
   | Sphere s -> 1. /. s.radius * (p - centre s)
-  | Plane { normal; _ } -> (normal :> Vec3.t)
+  | Plane { normal; _ } | Disc { normal; _ } -> (normal :> Vec3.t)
+  | Triangle { a; b; c; _ } -> unit (Vec3.cross (b - a) (c - a))
+  | Quad { edge; other; _ } -> unit (Vec3.cross edge other)
+  | Box b ->
+      faces b
+      |> List.map (fun (axis, value, normal) -> (axis p -. value, normal))
+      |> of_nearest
+  | Cylinder c -> frustum_outward (c :> Frustum.t) p
+  | Cone c -> frustum_outward (c :> Frustum.t) p
+  | Torus { centre; axis; ring; _ } ->
+      let _, q = from_axis centre axis p in
+      unit (p - centre - (ring * unit q))
   | Placed { own; modifiers; _ } ->
       let n = outward own (undone undo_point modifiers p) in
       let part x y z =
         dot (undone undo_vector modifiers (Vec3.make x y z)) n
       in
       unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
+
+let frustum_size (f : Frustum.t) =
+  List.fold_left Float.max f.length [ f.radius_a; f.radius_b ]
+
+(* R of the offset. *)
+let size : Shape.t -> float = function
+  | Sphere s -> s.radius
+  | Cylinder c -> frustum_size (c :> Frustum.t)
+  | Cone c -> frustum_size (c :> Frustum.t)
+  | Torus { ring; tube; _ } -> ring +. tube
+  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Placed _ -> 0.
 
 (* {1 The camera} *)
 
@@ -120,12 +285,9 @@ let facing { d; _ } n = if dot d n > 0. then -n else n
 let offset (scene : Scene.t) (shape : Shape.t) p { o; _ } =
   let w, h, d = canvas scene.camera in
   let absolute { Vec3.x; y; z } = abs_float x +. abs_float y +. abs_float z in
-  let size =
-    match shape with Sphere s -> s.radius | Plane _ | Placed _ -> 0.
-  in
   Float.max
     (1e-5 *. Float.min (Float.min w h) d)
-    (ldexp (size +. absolute p +. absolute o) (-44))
+    (ldexp (size shape +. absolute p +. absolute o) (-44))
 
 (* {1 Surfaces} *)
 

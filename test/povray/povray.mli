@@ -54,5 +54,6 @@ val render :
   string ->
   (t, string) result
 (** [render ~threads ~width ~height path] renders the POV-Ray scene at [path]
-    in this size without antialiasing and writes the result as PNG, without
-    gamma, to the file [picture] if there is one. *)
+    in this size without antialiasing and writes the result, without gamma, to
+    the file [picture] if there is one: as PPM if that is its extension, else
+    as PNG. *)

@@ -82,22 +82,56 @@ let matrix (a : Affine.t) =
           [ a.xx; a.yx; a.zx; a.xy; a.yy; a.zy; a.xz; a.yz; a.zz ]
        @ List.map number [ a.x; a.y; a.z ]))
 
+(* Its torus lies around the y axis; the matrix has where x, y and z go, and the
+   origin. *)
+let torus { Torus.centre; axis; ring; tube } =
+  let w = (axis :> Vec3.t) in
+  let aside =
+    if abs_float w.x < 0.6 then Vec3.make 1. 0. 0. else Vec3.make 0. 0. 1.
+  in
+  let u = (Direction.of_vec3_exn (Vec3.cross w aside) :> Vec3.t) in
+  let rows = [ u; w; Vec3.cross u w; centre ] in
+  let numbers { Vec3.x; y; z } = List.map number [ x; y; z ] in
+  Printf.sprintf "torus{%s,%s sturm matrix<%s>" (number ring) (number tube)
+    (String.concat "," (List.concat_map numbers rows))
+
+let quad corners =
+  let count = List.length corners + 1 in
+  Printf.sprintf "polygon{%d,%s,%s" count
+    (String.concat "," (List.map vector corners))
+    (vector (List.hd corners))
+
 (* Without the last bracket: the surface follows. *)
-let rec write_shape channel = function
-  | Shape.Sphere sphere ->
-      Printf.fprintf channel "sphere{%s,%s"
+let rec shape : Shape.t -> string = function
+  | Sphere sphere ->
+      Printf.sprintf "sphere{%s,%s"
         (vector (Sphere.centre sphere))
         (number sphere.radius)
   | Plane { point; normal } ->
       let normal = (normal :> Vec3.t) in
-      Printf.fprintf channel "plane{%s,%s" (vector normal)
+      Printf.sprintf "plane{%s,%s" (vector normal)
         (number (Vec3.dot point normal))
-  | Placed { own; out; _ } ->
-      write_shape channel own;
-      output_string channel (matrix out)
+  | Box { low; high } -> Printf.sprintf "box{%s,%s" (vector low) (vector high)
+  | Cylinder c ->
+      let { Frustum.a; b; radius_a; _ } = (c :> Frustum.t) in
+      Printf.sprintf "cylinder{%s,%s,%s" (vector a) (vector b)
+        (number radius_a)
+  | Cone c ->
+      let { Frustum.a; b; radius_a; radius_b; _ } = (c :> Frustum.t) in
+      Printf.sprintf "cone{%s,%s,%s,%s" (vector a) (number radius_a) (vector b)
+        (number radius_b)
+  | Torus t -> torus t
+  | Disc { centre; normal; radius } ->
+      Printf.sprintf "disc{%s,%s,%s" (vector centre)
+        (vector (normal :> Vec3.t))
+        (number radius)
+  | Triangle { a; b; c; _ } ->
+      Printf.sprintf "triangle{%s,%s,%s" (vector a) (vector b) (vector c)
+  | Quad q -> quad (Quad.corners q)
+  | Placed { own; out; _ } -> shape own ^ matrix out
 
 let write_object channel (o : Object.t) =
-  write_shape channel o.shape;
+  output_string channel (shape o.shape);
   write_surface channel o.surface
 
 (* POV-Ray counts the primary ray as level 1, as raylab does, and allows at
@@ -180,6 +214,8 @@ let trace_by_difference ~overhead runs =
     runs
   -. overhead
 
+let file_type file = if Filename.extension file = ".ppm" then "P" else "N"
+
 (* POV-Ray may read and write only certain directories; its own current one is
    always among them. *)
 let render ?picture ~threads ~width ~height path =
@@ -187,7 +223,11 @@ let render ?picture ~threads ~width ~height path =
     match picture with
     | None -> [ "Output_to_File=Off" ]
     | Some file ->
-        [ "Output_File_Type=N"; "Output_File_Name=" ^ file; "File_Gamma=1" ]
+        [
+          "Output_File_Type=" ^ file_type file;
+          "Output_File_Name=" ^ file;
+          "File_Gamma=1";
+        ]
   in
   let arguments =
     [
