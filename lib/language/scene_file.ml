@@ -130,8 +130,8 @@ let color { Color.r; g; b } =
   String.concat " " [ number r; number g; number b ]
 
 let print_light ppf (light : Light.t) =
-  Format.fprintf ppf "%s %s %s %s@\n" (Light.name light)
-    (number light.intensity) (color light.color)
+  Format.fprintf ppf "%s %s %s %s" (Light.name light) (number light.intensity)
+    (color light.color)
     (match light.source with
     | Directional direction -> vector (direction :> Vec3.t)
     | Spherical position -> vector position)
@@ -174,19 +174,33 @@ let print_camera ppf (camera : Camera.t) =
   if Option.is_some camera.fov || Camera.is_placed camera then
     print_viewpoint ppf camera.viewpoint
 
-let print ppf (scene : Scene.t) =
+(* [comment] says more of what stands in a line, by its origin *)
+let print_with comment ppf (scene : Scene.t) =
   print_camera ppf scene.camera;
   Format.fprintf ppf "bcolor %s@\n" (color scene.background);
   Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
   print_lens ppf scene.lens;
   print_film ppf scene.film;
   if scene.lights <> [] then Format.fprintf ppf "lights@\n";
-  List.iter (print_light ppf) scene.lights;
+  List.iter
+    (fun (light : Light.t) ->
+      Format.fprintf ppf "%a%s@\n" print_light light (comment light.origin))
+    scene.lights;
   Format.fprintf ppf "objects@\n";
   List.iter
     (fun (o : Object.t) ->
-      Format.fprintf ppf "%a %a%a@\n" print_shape o.shape print_surface
+      Format.fprintf ppf "%a %a%a%s@\n" print_shape o.shape print_surface
         o.surface
         (Change.pp_with print_number)
-        (Shape.modifiers o.shape))
+        (Shape.modifiers o.shape) (comment o.origin))
     scene.objects
+
+let print = print_with (fun _ -> "")
+
+let expand ppf scene =
+  let comment origin =
+    match Scene.place scene origin with
+    | None -> ""
+    | Some place -> "  # " ^ Printable.text (Place.to_string place)
+  in
+  print_with comment ppf scene

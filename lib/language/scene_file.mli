@@ -53,3 +53,7 @@ val print : Format.formatter -> Scene.t -> unit
 (** [print ppf scene] writes [scene] in the scene language, one setting, light
     or object a line, with numbers in full: {!parse} of it is equal to [scene]
     ({!Raylab_scene.Scene.equal}). *)
+
+val expand : Format.formatter -> Scene.t -> unit
+(** [expand ppf scene] writes [scene] as {!print} does, and behind each light
+    and object where it comes from, as a comment. *)

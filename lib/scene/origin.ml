@@ -1,1 +1,3 @@
 type t = Unknown | Literal of int
+
+let offset = function Unknown -> None | Literal at -> Some at

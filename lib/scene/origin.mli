@@ -6,3 +6,6 @@ type t =
   | Literal of int
       (** it is written out in a file, and starts at this offset; see
           {!Raylab_source.Files} *)
+
+val offset : t -> int option
+(** [offset origin] is where it is written, if that is known. *)

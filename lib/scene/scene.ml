@@ -60,16 +60,18 @@ let greyscale scene =
     objects = List.map grey_object scene.objects;
   }
 
-let warnings scene =
+let findings scene =
   let lobes (o : Object.t) = Surface.lobes o.surface in
   let some_object holds = List.exists holds scene.objects in
   let needs_light o = not (Color.equal (lobes o).albedo Color.black) in
   let mirrors o = not (Color.equal (lobes o).mirror Color.black) in
+  let of_all text = { Warning.text; about = [] } in
   let distorted how =
-    "canvas and picture differ in proportions: the picture looks " ^ how
+    of_all
+      ("canvas and picture differ in proportions: the picture looks " ^ how)
   in
   List.filter_map
-    (fun (holds, warning) -> if holds () then Some warning else None)
+    (fun (holds, text) -> if holds () then Some (of_all text) else None)
     [
       ( (fun () -> scene.objects = []),
         "there is no object: the picture is all background" );
@@ -84,12 +86,13 @@ let warnings scene =
          samples 64 or so" );
     ]
   @ Option.to_list (Option.map distorted (Proportions.distortion scene.camera))
-  @ List.map
-      (Warning.to_string (place scene))
-      (Byte_colors.warnings ~background:scene.background scene.lights
-         scene.objects
-      @ Kept_in.warnings scene.camera scene.lights scene.objects
-      @ Twins.warnings scene.objects)
+  @ Byte_colors.warnings ~background:scene.background scene.lights
+      scene.objects
+  @ Kept_in.warnings scene.camera scene.lights scene.objects
+  @ Twins.warnings scene.objects
+
+let warnings scene =
+  List.map (Warning.to_string (place scene)) (findings scene)
 
 let equal a b =
   Camera.equal a.camera b.camera

@@ -86,11 +86,14 @@ val greyscale : t -> t
 (** [greyscale scene] is [scene] with every colour replaced by the grey of its
     luminance; see {!Grey}. *)
 
+val findings : t -> Warning.t list
+(** [findings scene] is what is allowed but hardly meant: no object, no light
+    though a surface needs it, a ray depth of 0, a picture that distorts the
+    canvas, colours from 0 to 255, lights that a shape keeps from all that is
+    seen, objects in the same place. *)
+
 val warnings : t -> string list
-(** [warnings scene] is what is allowed but hardly meant, a sentence each: no
-    object, no light though a surface needs it, a ray depth of 0, a picture
-    that distorts the canvas, colours from 0 to 255, lights that a shape keeps
-    from all that is seen, objects in the same place. *)
+(** [warnings scene] is {!findings}[ scene], a sentence each. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are the same scene. Origins do not

@@ -224,7 +224,7 @@ Help and version go to standard output. A version is no place-holder.
          scenes/why-black.md.
   
   COMMANDS
-         check [--allow=DIR] [OPTION]… SCENE…
+         check [--allow=DIR] [--expand] [--json] [OPTION]… SCENE…
              report the errors and warnings of scenes
   
          explain [OPTION]… SCENE X,Y…
@@ -472,7 +472,7 @@ Help and version go to standard output. A version is no place-holder.
          raylab-check - report the errors and warnings of scenes
   
   SYNOPSIS
-         raylab check [--allow=DIR] [OPTION]… SCENE…
+         raylab check [--allow=DIR] [--expand] [--json] [OPTION]… SCENE…
   
   DESCRIPTION
          Reads each SCENE and prints every error and warning to standard error.
@@ -487,6 +487,15 @@ Help and version go to standard output. A version is no place-holder.
              Files that SCENE includes may also be in the folder DIR or below
              it, and not only in that of SCENE. It may be given several times.
   
+         --expand
+             Print the scene as it was evaluated to standard output: one light
+             or object a line, in the language of scenes, without names and
+             loops, and behind each, as a comment, where it comes from.
+  
+         --json
+             Print what is found as JSON to standard output, for other
+             programs; see JSON below.
+  
   COMMON OPTIONS
          -h  Show this help, as --help does.
   
@@ -497,6 +506,26 @@ Help and version go to standard output. A version is no place-holder.
   
          --version
              Show version information.
+  
+  JSON
+         With --json the output is
+  
+         { "version": 1, "scenes": [SCENE, ...] }
+         
+         SCENE   = { "scene": STRING,              its path, as it was given
+                     "problems": [PROBLEM, ...] }  in the order of the text
+         
+         PROBLEM = { "severity": "error" or "warning",
+                     "file": STRING,               the path of the scene, or of a file
+                                                   that it includes
+                     "line": INT or null,          counted from 1; null: the whole file
+                     "columns": [INT, INT]         the first and the last byte in the
+                       or null,                    line, counted from 1
+                     "message": STRING,            what is wrong, in one line
+                     "remedy": STRING }            what to do; "" if there is no advice
+  
+         New members may be added; a change that breaks readers gets a new
+         version.
   
   EXIT STATUS
          raylab check exits with:

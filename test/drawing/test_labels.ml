@@ -114,7 +114,10 @@ let test_room () =
 let directory = "../../scenes"
 
 let load name =
-  match Scene_file.load (Filename.concat directory name) with
+  match
+    Scene_file.load ~access:Test_files.Nearby.access
+      (Filename.concat directory name)
+  with
   | Ok scene -> scene
   | Error _ -> Alcotest.failf "%s is in error" name
 

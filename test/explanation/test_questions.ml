@@ -12,7 +12,7 @@ let load name =
   | Some scene -> scene
   | None -> (
       let path = Printf.sprintf "../../scenes/%s.scene" name in
-      match Scene_file.load path with
+      match Scene_file.load ~access:Test_files.Nearby.access path with
       | Ok scene ->
           let scene = Prepared.make scene in
           Hashtbl.add scenes name scene;

@@ -15,7 +15,7 @@ let picture index scene =
   fst (Render.picture (Prepared.make ~index (Scene.with_camera camera scene)))
 
 let is_same path =
-  match Scene_file.load path with
+  match Scene_file.load ~access:Test_files.Nearby.access path with
   | Error _ ->
       Printf.eprintf "%s is in error\n" path;
       false

@@ -70,7 +70,9 @@ let fail format =
 (* {1 Rendering} *)
 
 let render place name =
-  match Scene_file.load (scene_file place name) with
+  match
+    Scene_file.load ~access:Test_files.Nearby.access (scene_file place name)
+  with
   | Ok scene ->
       let scene = Scene.with_camera (place.size scene.camera) scene in
       Some (fst (Render.picture (Prepared.make scene)))

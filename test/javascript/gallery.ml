@@ -27,7 +27,7 @@ let explained scene picture =
     (along (Picture.height picture))
 
 let tell path =
-  match Scene_file.load path with
+  match Scene_file.load ~access:Test_files.Nearby.access path with
   | Error _ -> Printf.printf "%s is in error\n" path
   | Ok scene ->
       let scene = Prepared.make (small scene) in

@@ -57,6 +57,16 @@ let extreme =
     (Generate.scene ~max_side:5000 Generate.extreme)
     reads_back
 
+(* What is expanded has a place behind every light and object, as a comment. *)
+let expanded =
+  let comments text = List.length (String.split_on_char '#' text) - 1 in
+  Property.holds "expand, then parse, is nothing" ~print:printed ~count:500
+    (Generate.scene ~max_side:5000 Generate.everyday) (fun scene ->
+      let again = Read.scene (printed scene) in
+      let text = Format.asprintf "%a" Scene_file.expand again in
+      Scene.equal scene (Read.scene text)
+      && comments text = List.length scene.lights + List.length scene.objects)
+
 (* A formatter with a narrow margin must not break lines. *)
 let test_margin () =
   let wide =
@@ -79,4 +89,5 @@ let suite =
       Alcotest.test_case "margin" `Quick test_margin;
       everyday;
       extreme;
+      expanded;
     ] )

@@ -38,7 +38,7 @@ let beside_load f =
       List.iter Domain.join load)
 
 let is_same path =
-  match Scene_file.load path with
+  match Scene_file.load ~access:Test_files.Nearby.access path with
   | Error _ ->
       Printf.eprintf "%s is in error\n" path;
       false
