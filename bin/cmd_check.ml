@@ -1,18 +1,17 @@
 open Cmdliner
-open Raylab_scene
 open Raylab_language
 open Raylab_explanation
 open Raylab_picture
 
 type form = Text | Json | Expanded
 
-let tell path { Scene_file.scene; _ } =
-  match scene with
-  | Ok scene ->
-      List.iter
-        (Command.line "%s: warning: %s" (Raylab_source.Printable.text path))
-        (Scene.warnings scene)
-  | Error errors -> List.iter Command.print_error errors
+let tell path reading =
+  (match reading.Scene_file.scene with
+  | Ok _ -> ()
+  | Error errors -> List.iter Command.print_error errors);
+  List.iter
+    (Command.line "%s: warning: %s" (Raylab_source.Printable.text path))
+    (Scene_file.warnings reading)
 
 let print text =
   let print () =

@@ -7,13 +7,11 @@ let argument k =
 (* [load path] tells what is wrong with the scene, and is whether it is
    right. *)
 let load path =
-  match Session.load path with
-  | Ok scene ->
-      Console.warnings ~path scene;
-      true
-  | Error errors ->
-      Console.errors errors;
-      false
+  let reading = Session.load path in
+  let scene = reading.Raylab_language.Scene_file.scene in
+  Result.iter_error Console.errors scene;
+  Console.warnings ~path (Raylab_language.Scene_file.warnings reading);
+  Result.is_ok scene
 
 let run_script scene path =
   (* what a script says of another scene than its own is of no use *)

@@ -1,9 +1,10 @@
-open Raylab_geometry
 open Raylab_source
+open Raylab_geometry
+open Raylab_expression
 open Raylab_scene
 open Raylab_tracer
 
-let version = 2
+let version = 3
 
 let number x : Yojson.Safe.t =
   match Float.classify_float x with
@@ -51,11 +52,46 @@ let rec surface s : Yojson.Safe.t =
   in
   `Assoc (("kind", text (Surface.name s)) :: parts)
 
-let place = function
+(* {1 Where things come from} *)
+
+let rec datum : Datum.t -> Yojson.Safe.t = function
+  | Number x -> number x
+  | Truth truth -> `Bool truth
+  | Text words -> text words
+  | Vector v -> vector v
+  | List { first; count } ->
+      `Assoc [ ("count", int count); ("first", `List (List.map datum first)) ]
+  | Other words -> `Assoc [ ("what", text words) ]
+
+let line = function
   | None -> [ ("line", `Null) ]
   | Some { Place.file; line } ->
       let file = Option.map (fun file -> ("file", text file)) file in
       ("line", int line) :: Option.to_list file
+
+let step { Provenance.what; place } : Yojson.Safe.t =
+  let what =
+    match what with
+    | Call { name; arguments } ->
+        let argument (label, value) =
+          `Assoc [ ("name", text label); ("value", datum value) ]
+        in
+        [
+          ("call", text name);
+          ("arguments", `List (List.map argument arguments));
+        ]
+    | Round { name; value } -> [ ("round", text name); ("value", datum value) ]
+    | By_name name -> [ ("placed", text name) ]
+  in
+  `Assoc (what @ line place)
+
+let place = function
+  | None -> line None
+  | Some { Provenance.place; steps = [] } -> line (Some place)
+  | Some { place; steps } ->
+      line (Some place) @ [ ("made", `List (List.map step steps)) ]
+
+(* {1 Things} *)
 
 let object_ n (o : Object.t) at : Yojson.Safe.t =
   `Assoc

@@ -81,8 +81,26 @@ LIGHT   = { "number": INT, PLACE,
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
             "falloff": NUMBER, "contribution": COLOR }    if lit
 
-PLACE   = "line": INT or null,            null: of no file
+PLACE   = LINE,                           where it is written
+          "made": [STEP, ...]             if calls or rounds made it, or it
+                                          was placed by its name: what
+                                          led there, the innermost first
+
+LINE    = "line": INT or null,            null: of no file
           "file": STRING                  if not in the scene's own file
+
+STEP    = { "call": NAME,                 in a call, written at LINE
+            "arguments": [{ "name": NAME, "value": VALUE }, ...], LINE }
+       or { "round": NAME, "value": VALUE, LINE }
+                                          in a round of the loop at LINE
+       or { "placed": NAME, LINE }        it was placed by this name
+
+NAME    = STRING
+VALUE   = NUMBER, BOOL, STRING or VECTOR
+       or { "count": INT, "first": [VALUE, ...] }
+                                          a list, and its first elements
+       or { "what": STRING }              a function's name, or what else
+                                          it is, such as "a surface"
 
 VECTOR  = [NUMBER, NUMBER, NUMBER]        x, y, z
 COLOR   = [NUMBER, NUMBER, NUMBER]        red, green, blue; 1 is bright|}

@@ -1,14 +1,15 @@
 open Raylab_geometry
-open Raylab_source
 open Raylab_scene
 
-let place = function None -> "" | Some place -> ", " ^ Place.to_string place
+let place = function
+  | None -> ""
+  | Some place -> ", " ^ Provenance.to_string place
 
 let by_number number (o : Object.t) place =
   let name = Printf.sprintf "%s %d" (Shape.name o.shape) number in
   match place with
   | None -> name
-  | Some place -> Printf.sprintf "%s (%s)" name (Place.to_string place)
+  | Some place -> Printf.sprintf "%s (%s)" name (Provenance.to_string place)
 
 let with_part shape part name =
   match Shape.part shape part with

@@ -1,12 +1,11 @@
 (** What the things of a scene are called. *)
 
-open Raylab_source
 open Raylab_scene
 
-val place : Place.t option -> string
+val place : Provenance.t option -> string
 (** [place p] is [, line 30], or nothing if there is no place. *)
 
-val by_number : int -> Object.t -> Place.t option -> string
+val by_number : int -> Object.t -> Provenance.t option -> string
 (** [by_number k o place] is [sphere 3 (line 24)], for the object [o] of number
     [k], which is at [place]. *)
 
@@ -15,7 +14,7 @@ val with_part : Raylab_geometry.Shape.t -> int -> string -> string
     [name], is a box and its part [k] the top, and [name] where a part has no
     word of its own. *)
 
-val by_look : int -> Object.t -> Place.t option -> string
+val by_look : int -> Object.t -> Provenance.t option -> string
 (** [by_look k o place] says what [o] looks like, and then which one it is,
     without an article: [red sphere (object 2, line 30)],
     [mirror (sphere 4, line 34)],

@@ -11,24 +11,32 @@ let builtin (f : Builtin.t) =
   { Value.name = f.name; parameters; call }
 
 (* The arguments that are given, with the names of their parameters. *)
-let pair parameters arguments =
+let pair describe parameters arguments =
   let given = ref [] in
   for k = Array.length arguments - 1 downto 0 do
     match arguments.(k) with
     | Value.Undefined -> ()
-    | value -> given := (parameters.(k).Value.label, value) :: !given
+    | value ->
+        let datum = Value.datum describe value in
+        given := (parameters.(k).Value.label, datum) :: !given
   done;
   !given
 
 let enter (run : _ Value.run) span (f : _ Value.func) arguments =
   Budget.step run.budget span;
   Budget.enter run.budget span;
-  let around = run.stack in
-  run.stack <-
-    Call { name = f.name; arguments = pair f.parameters arguments; at = span }
-    :: around;
+  let around = run.trail in
+  let arguments_told = pair run.describe f.parameters arguments in
+  run.trail <-
+    Call
+      {
+        name = f.name;
+        arguments = arguments_told;
+        at = span.Span.start;
+        around;
+      };
   let value = f.call run arguments in
-  run.stack <- around;
+  run.trail <- around;
   Budget.leave run.budget;
   value
 

@@ -120,18 +120,19 @@ and compile_series : 'thing. _ -> _ -> _ -> _ -> _ -> _ -> 'thing t =
 
 and loop :
     'thing. _ -> at:_ -> _ -> _ -> _ -> _ * ('thing Frame.t -> _ -> unit) =
- fun scope ~at name name_span range ->
+ fun scope ~at:span name name_span range ->
   let range = compile_range scope range in
   let inner, binding = Scope.bind scope name name_span in
   ( inner,
     fun frame f ->
       let run = frame.run in
-      let around = run.stack in
-      Loop.each ~at range frame (fun value ->
+      let around = run.trail and at = name_span.Raylab_source.Span.start in
+      Loop.each ~at:span range frame (fun value ->
           Frame.set binding frame value;
-          run.stack <- Round { name; value; at = name_span } :: around;
+          let told = Value.datum run.describe value in
+          run.trail <- Round { name; value = told; at; around };
           f ());
-      run.stack <- around )
+      run.trail <- around )
 
 and compile_range : 'thing. _ -> _ -> 'thing Loop.range =
  fun scope range ->

@@ -1,5 +1,4 @@
 open Raylab_geometry
-open Raylab_source
 
 type 'thing t =
   | Number of float
@@ -22,16 +21,8 @@ and parameter = { label : string; optional : bool }
 and 'thing run = {
   budget : Budget.t;
   describe : 'thing -> string;
-  mutable stack : 'thing frame list;
+  mutable trail : Trail.t;
 }
-
-and 'thing frame =
-  | Call of {
-      name : string;
-      arguments : (string * 'thing t) list;
-      at : Span.t;
-    }
-  | Round of { name : string; value : 'thing t; at : Span.t }
 
 let list = function
   | [| Number x; Number y; Number z |] -> Vector (Vec3.make x y z)
@@ -54,34 +45,24 @@ let kind describe = function
 
 let most_shown = 4
 
-let rec pp_with describe ppf = function
-  | Number x -> Number.pp ppf x
-  | Truth truth -> Format.pp_print_bool ppf truth
-  | Text text -> Format.fprintf ppf "\"%s\"" text
-  | Vector { x; y; z } ->
-      Format.fprintf ppf "[%a, %a, %a]" Number.pp x Number.pp y Number.pp z
-  | List elements -> pp_list describe ppf elements
-  | Function { name; _ } -> Format.pp_print_string ppf name
-  | (Thing _ | Undefined) as value ->
-      Format.pp_print_string ppf (kind describe value)
+(* Lists in lists may be shared, and far too many to be told. *)
+let deepest_shown = 2
 
-and pp_list describe ppf elements =
-  let count = Array.length elements in
-  let shown = Array.sub elements 0 (Int.min count most_shown) in
-  Format.pp_print_char ppf '[';
-  Array.iteri
-    (fun k element ->
-      if k > 0 then Format.pp_print_string ppf ", ";
-      pp_with describe ppf element)
-    shown;
-  if count > most_shown then Format.fprintf ppf ", ... %d in all" count;
-  Format.pp_print_char ppf ']'
+let rec shown describe depth = function
+  | Number x -> Datum.Number x
+  | Truth truth -> Truth truth
+  | Text text -> Text text
+  | Vector v -> Vector v
+  | List elements when depth < deepest_shown ->
+      let count = Array.length elements in
+      let first = Array.sub elements 0 (Int.min count most_shown) in
+      let shown element = shown describe (depth + 1) element in
+      List { first = List.map shown (Array.to_list first); count }
+  | Function { name; _ } -> Other name
+  | (List _ | Thing _ | Undefined) as value -> Other (kind describe value)
 
-let to_string describe value =
-  let text = Buffer.create 16 in
-  let ppf = Format.formatter_of_buffer text in
-  Format.fprintf ppf "%a@?" (pp_with describe) value;
-  Buffer.contents text
+let datum describe value = shown describe 0 value
+let to_string describe value = Datum.to_string (datum describe value)
 
 let rec equal ~step a b =
   step ();

@@ -1,7 +1,6 @@
 (** Values: what expressions have. *)
 
 open Raylab_geometry
-open Raylab_source
 
 (** The type for values. ['thing] is what else a name may stand for, such as
     surfaces: this room knows no scene. *)
@@ -32,19 +31,11 @@ and parameter = { label : string; optional : bool }
 and 'thing run = {
   budget : Budget.t;
   describe : 'thing -> string;  (** the kind of a thing: ["a surface"] *)
-  mutable stack : 'thing frame list;
-      (** the calls and rounds that are going on, the innermost first; after a
-          {!Fault}, those that led to it *)
+  mutable trail : Trail.t;
+      (** the calls and rounds that are going on; after a {!Fault}, those that
+          led to it *)
 }
 (** The type for evaluations that are going on, each in one domain. *)
-
-and 'thing frame =
-  | Call of {
-      name : string;
-      arguments : (string * 'thing t) list;
-      at : Span.t;
-    }
-  | Round of { name : string; value : 'thing t; at : Span.t }  (** of a loop *)
 
 val list : 'thing t array -> 'thing t
 (** [list elements] is the value of these elements: a {!Vector} if they are
@@ -56,12 +47,12 @@ val elements : 'thing t -> 'thing t array option
 val kind : ('thing -> string) -> 'thing t -> string
 (** [kind describe value] is what [value] is: ["a number"]. *)
 
-val pp_with : ('thing -> string) -> Format.formatter -> 'thing t -> unit
-(** [pp_with describe] prints [2.5], [true], ["a"], [[1, 0, 0]], the first
-    elements of a list, the name of a function, and the {!kind} of a thing. *)
+val datum : ('thing -> string) -> 'thing t -> Datum.t
+(** [datum describe value] is [value] as it is told: of a list the first
+    elements, of lists in lists in lists and of things the {!kind}. *)
 
 val to_string : ('thing -> string) -> 'thing t -> string
-(** [to_string describe value] is what {!pp_with} prints. *)
+(** [to_string describe value] is {!Datum.to_string} of that. *)
 
 val equal : step:(unit -> unit) -> 'thing t -> 'thing t -> bool option
 (** [equal ~step a b] is whether [a] and [b] are the same number, truth value,

@@ -33,9 +33,9 @@ let failed check = check.failed
 
 let attempt check (frame : frame) default f =
   let run = frame.run in
-  let around = run.stack and depth = run.budget.depth in
+  let around = run.trail and depth = run.budget.depth in
   let fail () =
-    run.stack <- around;
+    run.trail <- around;
     run.budget.depth <- depth;
     check.failed <- true;
     default
@@ -43,7 +43,7 @@ let attempt check (frame : frame) default f =
   match f () with
   | value -> value
   | exception Fault.Found ({ ends = false; _ } as fault) ->
-      Findings.fault check.findings fault run.stack;
+      Findings.fault check.findings fault run.trail;
       fail ()
   | exception Fault.Known -> fail ()
 

@@ -5,7 +5,11 @@ let nowhere = { Span.start = 0; stop = 0 }
 
 let start findings time =
   let run =
-    { Value.budget = Budget.scene (); describe = Thing.describe; stack = [] }
+    {
+      Value.budget = Budget.scene ();
+      describe = Thing.describe;
+      trail = Start;
+    }
   in
   let report span ~advice message =
     Findings.error findings span message ~advice
@@ -49,10 +53,10 @@ let run_items check scope frame sink names items =
   let run scope (item : Syntax.item) =
     match item with
     | Ready_object o ->
-        Sink.add sink nowhere (Leaf o);
+        Sink.add sink frame.Frame.run nowhere (Thing.leaf o);
         scope
     | Ready_light l ->
-        Sink.add sink nowhere (Lamp l);
+        Sink.add sink frame.Frame.run nowhere (Thing.lamp l);
         scope
     | item ->
         Evaluate_item.tell_twice check names item;
@@ -75,7 +79,7 @@ let scene ?(time = 0.) sources (syntax : Syntax.t) =
      in
      Check_header.finish header syntax.header_end;
      run_items check scope frame sink names syntax.items
-   with Fault.Found fault -> Findings.fault findings fault frame.run.stack);
+   with Fault.Found fault -> Findings.fault findings fault frame.run.trail);
   match Findings.errors findings with
   | [] ->
       Ok

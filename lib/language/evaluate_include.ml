@@ -31,8 +31,9 @@ let include_ twice span file parts =
 
 (* What is written once is not computed: it counts from the second time on. *)
 let literal frame at node ~is_first sink =
-  if not is_first then Budget.make frame.Frame.run.budget at (Thing.count node);
-  Sink.add sink at node
+  let run = frame.Frame.run in
+  if not is_first then Budget.make run.budget at (Thing.size node).count;
+  Sink.add sink run at (Thing.again run.trail node)
 
 let once f =
   let is_done = ref false in
@@ -46,10 +47,10 @@ let ready (frame : Check.frame) at names parts =
   and places = List.rev parts.places
   and placed = ref false in
   let define () =
-    let around = frame.run.stack in
-    frame.run.stack <- [];
+    let around = frame.run.trail in
+    frame.run.trail <- Start;
     List.iter (fun define -> define ()) defines;
-    frame.run.stack <- around
+    frame.run.trail <- around
   and place sink =
     let is_first = not !placed in
     placed := true;
@@ -91,9 +92,9 @@ and compile_file item check { Syntax.names; syntax; _ } at =
     | Definition definition -> define parts definition
     | Include inclusion -> included parts inclusion
     | Ready_object o ->
-        { parts with places = literal frame at (Leaf o) :: parts.places }
+        { parts with places = literal frame at (Thing.leaf o) :: parts.places }
     | Ready_light l ->
-        { parts with places = literal frame at (Lamp l) :: parts.places }
+        { parts with places = literal frame at (Thing.lamp l) :: parts.places }
     | Placed _ | For _ | If _ -> add parts written
   in
   let parts = { scope; defines = []; settings = []; places = [] } in

@@ -4,8 +4,11 @@ let protect check (frame : Check.frame) f =
   Check.attempt check frame () (fun () -> Check.whole check f)
 
 let add (frame : Check.frame) sink span node =
-  Budget.make frame.run.budget span (Thing.count node);
-  Sink.add sink span node
+  Budget.make frame.run.budget span (Thing.size node).count;
+  Sink.add sink frame.run span node
+
+let repeat ~at node (frame : Check.frame) sink =
+  add frame sink at (Thing.again frame.run.trail node)
 
 let rec tell_twice check names (item : Syntax.item) =
   match item with
@@ -17,8 +20,8 @@ let rec tell_twice check names (item : Syntax.item) =
 and compile check scope ~at (item : Syntax.item) =
   match item with
   (* what a block repeats is not written each time *)
-  | Ready_object o -> (scope, fun frame sink -> add frame sink at (Leaf o))
-  | Ready_light l -> (scope, fun frame sink -> add frame sink at (Lamp l))
+  | Ready_object o -> (scope, repeat ~at (Thing.leaf o))
+  | Ready_light l -> (scope, repeat ~at (Thing.lamp l))
   | Placed placed -> (scope, place check scope placed)
   | Definition d ->
       let scope, define = Evaluate_definition.compile block check scope d in
@@ -49,7 +52,8 @@ and place check scope placed =
   fun frame sink ->
     protect check frame (fun () ->
         match thing frame with
-        | Thing.Light node | Object node -> add frame sink placed.span node
+        | Thing.Light { node; _ } | Object { node; _ } ->
+            add frame sink placed.span node
         | Surface _ -> ())
 
 and block check scope ~at items =

@@ -16,8 +16,14 @@ type block =
 let some_shape = Shape.sphere ~centre:Vec3.zero ~radius:1.
 let some_light = Light.spherical ~intensity:0. ~color:Color.black
 
+(* What is made in the calls and rounds that are going on. *)
+let placeable (frame : Check.frame) node =
+  { Thing.node; born = frame.run.budget.steps }
+
+let origin (frame : Check.frame) { Span.start; _ } =
+  Origin.make ~at:start ~within:frame.run.trail
+
 let shape check scope span shape surface =
-  let origin = Origin.Literal span.Span.start in
   let shape =
     Evaluate_written.compile check scope span ~default:some_shape shape
   and surface = Evaluate_surface.compile check scope surface in
@@ -25,27 +31,44 @@ let shape check scope span shape surface =
     Check.whole check (fun () ->
         let shape = shape frame in
         let surface = surface frame in
-        Thing.Object (Leaf (Object.make ~origin shape surface)))
+        let o = Object.make ~origin:(origin frame span) shape surface in
+        Thing.Object (placeable frame (Thing.leaf o)))
 
 let light check scope span light =
-  let origin = Origin.Literal span.Span.start in
   let default = some_light ~position:Vec3.zero in
   let light = Evaluate_written.compile check scope span ~default light in
   fun frame ->
     Check.whole check (fun () ->
-        Thing.Light (Lamp (Light.with_origin origin (light frame))))
+        let light = Light.with_origin (origin frame span) (light frame) in
+        Thing.Light (placeable frame (Thing.lamp light)))
 
 let group body frame =
   let sink = Sink.group () in
   body frame sink;
-  Thing.Object (Sink.node sink)
+  Thing.Object (placeable frame (Sink.node sink))
+
+(* What a call makes knows the call. What it only returns has been made before,
+   and is placed by it as by a name. *)
+let is_made_by (e : Expression.t) before born =
+  match e.desc with Call _ -> born > before | _ -> false
+
+let named (frame : Check.frame) (e : Expression.t) name before placeable =
+  let { Thing.node; born } = placeable in
+  if is_made_by e before born then placeable
+  else
+    let within = frame.run.trail in
+    let named = { Thing.name; at = e.span.start; within } in
+    { placeable with node = Thing.named named node }
 
 let reference scope e =
-  let code = Code.compile scope e in
-  fun frame ->
+  let code = Code.compile scope e and name = Expression.to_string e in
+  fun (frame : Check.frame) ->
+    let before = frame.run.budget.steps in
     match code frame with
-    | Value.Thing ((Thing.Object _ | Light _) as thing) -> thing
-    | value -> Operation.wanted frame.Frame.run e "an object or a light" value
+    | Value.Thing (Thing.Object o) ->
+        Thing.Object (named frame e name before o)
+    | Value.Thing (Light l) -> Light (named frame e name before l)
+    | value -> Operation.wanted frame.run e "an object or a light" value
 
 let bare block check scope { Syntax.thing; span; _ } =
   match thing with
@@ -53,6 +76,9 @@ let bare block check scope { Syntax.thing; span; _ } =
   | Light written -> light check scope span written
   | Group items -> group (block check scope ~at:span items)
   | Reference e -> reference scope e
+
+let changed change placeable =
+  { placeable with Thing.node = Thing.changed change placeable.Thing.node }
 
 let compile block check scope placed =
   let thing = bare block check scope placed in
@@ -70,6 +96,6 @@ let compile block check scope placed =
             (List.map (fun modifier -> modifier frame) modifiers)
         in
         match thing with
-        | Thing.Light node -> Light (Changed (change, node))
-        | Object node -> Object (Changed (change, node))
+        | Thing.Light light -> Light (changed change light)
+        | Object object_ -> Object (changed change object_)
         | Surface _ -> thing)

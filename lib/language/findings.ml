@@ -30,35 +30,39 @@ let error findings span ?advice message =
     findings.found <- (span, error) :: findings.found
   else if findings.first_untold = None then findings.first_untold <- Some span
 
-let most_frames = 8
+let place sources offset =
+  match Files.place (Sources.table sources) offset with
+  | None -> ""
+  | Some place -> Place.to_string place
 
-let frame sources frame =
-  let show = Value.to_string Thing.describe in
-  let place { Span.start; _ } =
-    match Files.place (Sources.table sources) start with
-    | None -> ""
-    | Some place -> Place.to_string place
-  in
-  match (frame : _ Value.frame) with
-  | Call { name; arguments; at } ->
+let step sources (trail : Trail.t) =
+  match trail with
+  | Start -> ""
+  | Call { name; arguments; at; _ } ->
       let argument (label, value) =
-        Printf.sprintf "%s: %s" label (show value)
+        Printf.sprintf "%s: %s" label (Datum.to_string value)
       in
       Printf.sprintf "in %s(%s), called in %s" name
         (String.concat ", " (List.map argument arguments))
-        (place at)
-  | Round { name; value; at } ->
-      Printf.sprintf "with %s = %s, %s" name (show value) (place at)
+        (place sources at)
+  | Round { name; value; at; _ } ->
+      Printf.sprintf "with %s = %s, %s" name (Datum.to_string value)
+        (place sources at)
 
-let trace sources stack =
-  let count = List.length stack in
-  let shown = List.filteri (fun k _ -> k < most_frames) stack in
-  let more =
-    if count > most_frames then
-      [ Printf.sprintf "and %d more around these" (count - most_frames) ]
-    else []
-  in
-  List.map (frame sources) shown @ more
+let most_inner = 5
+let most_outer = 3
+
+(* Of a deep recursion both ends tell something. *)
+let steps sources trail =
+  let steps = Trail.apart trail ~from:Start in
+  let count = List.length steps in
+  let tell keep = List.map (step sources) (List.filteri keep steps) in
+  if count <= most_inner + most_outer then tell (fun _ _ -> true)
+  else
+    let between = count - most_inner - most_outer in
+    tell (fun k _ -> k < most_inner)
+    @ [ Printf.sprintf "and %d more between these and" between ]
+    @ tell (fun k _ -> k >= count - most_outer)
 
 let longest_message = 300
 
@@ -68,12 +72,12 @@ let told text =
   if String.length text <= longest_message then text
   else Printable.text (String.sub text 0 longest_message) ^ "..."
 
-let fault findings { Fault.span; message; advice; _ } stack =
+let fault findings { Fault.span; message; advice; _ } trail =
   (* one mistake is not told of each round *)
-  let place = (span, match stack with [] -> message | _ -> "") in
+  let place = (span, match trail with Trail.Start -> message | _ -> "") in
   if not (Hashtbl.mem findings.faults place) then (
     Hashtbl.add findings.faults place ();
-    let lines = trace findings.sources stack in
+    let lines = steps findings.sources trail in
     let lines = if advice = "" then lines else lines @ [ advice ] in
     error findings span (told message)
       ~advice:(String.concat "\n" (List.map told lines)))

@@ -14,14 +14,10 @@ val sources : t -> Sources.t
 val error : t -> Span.t -> ?advice:string -> string -> unit
 (** [error findings span ~advice message] adds an error. *)
 
-val fault :
-  t ->
-  Raylab_expression.Fault.t ->
-  Thing.t Raylab_expression.Value.frame list ->
-  unit
-(** [fault findings fault stack] adds what an evaluation found, and the calls
-    and rounds that led there. The same fault in a later round or call is not
-    told again. *)
+val fault : t -> Raylab_expression.Fault.t -> Raylab_expression.Trail.t -> unit
+(** [fault findings fault trail] adds what an evaluation found, and the calls
+    and rounds that led there, of many the innermost and the outermost. The
+    same fault in a later round or call is not told again. *)
 
 val errors : t -> Scene_error.t list
 (** [errors findings] is all errors, in the order of the text. If there are

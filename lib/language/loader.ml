@@ -4,6 +4,7 @@ type t = {
   sources : Sources.t;
   inclusions : (Span.t * Sources.file) list;
   missing : string list;
+  taken : Taken.t list;
   syntax : (Syntax.t, Scene_error.t list) result;
 }
 
@@ -23,6 +24,7 @@ type state = {
   included : (int, Syntax.included) Hashtbl.t; (* by the place *)
   mutable inclusions : (Span.t * Sources.file) list;
   mutable missing : string list;
+  mutable taken : Taken.t list list;
   mutable errors : Scene_error.t list;
   mutable refused : int; (* how many files *)
 }
@@ -69,7 +71,9 @@ let rec parse state chain (file : Sources.file) =
   let before = state.errors in
   let include_ = include_ state chain file in
   match Reader.parse ~include_ state.sources file with
-  | Ok included -> included
+  | Ok { included; taken } ->
+      state.taken <- taken :: state.taken;
+      included
   | Error error ->
       (* what lacks a file may lack its names *)
       if state.errors == before then state.errors <- error :: before;
@@ -138,6 +142,7 @@ let read access sources =
       included = Hashtbl.create 7;
       inclusions = [];
       missing = [];
+      taken = [];
       errors = [];
       refused = 0;
     }
@@ -146,13 +151,15 @@ let read access sources =
   let nowhere = { Span.start = 0; stop = 0 } in
   let identity = Option.value access.Access.main ~default:"-" in
   let { Syntax.syntax; _ } = parse state [ (identity, nowhere) ] main in
-  let { sources; inclusions; missing; errors; _ } = state in
+  let { sources; inclusions; missing; taken; errors; _ } = state in
   let syntax =
     match errors with [] -> Ok syntax | errors -> Error (List.rev errors)
   in
+  let by_place (_, a) (_, b) = Int.compare a b in
   {
     sources;
     inclusions = List.rev inclusions;
     missing = List.rev missing;
+    taken = List.sort by_place (List.concat taken);
     syntax;
   }

@@ -7,6 +7,8 @@ type t = {
   inclusions : (Span.t * Sources.file) list;
       (** where a file is named, with the quotes, and which one that is *)
   missing : string list;  (** paths of files that could not be read *)
+  taken : Taken.t list;
+      (** in the order of the files, and of the text in each *)
   syntax : (Syntax.t, Scene_error.t list) result;
 }
 (** The type for what was read. *)

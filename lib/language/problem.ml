@@ -24,8 +24,9 @@ let word sources start =
   in
   { Span.start; stop = base + stop (start - base) }
 
-let of_warning path sources scene ({ Warning.about; _ } as warning) =
-  let message = Warning.to_string (Scene.place scene) warning in
+let of_warning path reading ({ Warning.about; _ } as warning) =
+  let { Scene_file.sources; _ } = reading in
+  let message = Warning.to_string (Scene_file.provenance reading) warning in
   let problem file place =
     { severity = Warning; file; place; message; remedy = "" }
   in
@@ -35,7 +36,9 @@ let of_warning path sources scene ({ Warning.about; _ } as warning) =
       problem (Sources.title sources offset) (Some place)
   | None -> problem (Printable.text path) None
 
-let of_reading path { Scene_file.sources; scene; _ } =
-  match scene with
-  | Error errors -> List.map of_error errors
-  | Ok scene -> List.map (of_warning path sources scene) (Scene.findings scene)
+let of_reading path reading =
+  let errors =
+    match reading.Scene_file.scene with Error errors -> errors | Ok _ -> []
+  in
+  List.map of_error errors
+  @ List.map (of_warning path reading) (Scene_file.findings reading)

@@ -77,6 +77,8 @@ let explain_error sources include_ file =
 let too_deep sources (offset, message) =
   Scene_error.make sources { start = offset; stop = offset + 1 } message
 
+type parsed = { included : Syntax.included; taken : Taken.t list }
+
 let parse ?include_ sources file =
   let words = Lexer.start ?include_ () in
   let result =
@@ -88,6 +90,7 @@ let parse ?include_ sources file =
   | Some found -> Error (too_deep sources found)
   | None ->
       let read syntax =
-        { Syntax.base = file.base; names = Lexer.names words; syntax }
+        let names = Lexer.names words and taken = Lexer.taken words in
+        { included = { base = file.base; names; syntax }; taken }
       in
       Result.map read result

@@ -2,11 +2,17 @@
 
 open Raylab_source
 
+type parsed = {
+  included : Syntax.included;
+  taken : Taken.t list;  (** in the order of the text *)
+}
+(** The type for what is read of a file. *)
+
 val parse :
   ?include_:Lexer.include_ ->
   Sources.t ->
   Sources.file ->
-  (Syntax.included, Scene_error.t) result
+  (parsed, Scene_error.t) result
 (** [parse ~include_ sources file] is what [file], one of [sources], writes,
     its numbers unchecked, or the first place where it is not in the language.
     Files that it includes come from [include_], which may be called twice for

@@ -13,10 +13,11 @@ type reading = {
   inclusions : (Span.t * Sources.file) list;
   missing : string list;
   scene : (Scene.t, Scene_error.t list) result;
+  taken : Warning.t list;
 }
 
 let unread scene =
-  { sources = Sources.none; inclusions = []; missing = []; scene }
+  { sources = Sources.none; inclusions = []; missing = []; scene; taken = [] }
 
 (* A file that is not UTF-8, if there is one. *)
 let foreign sources =
@@ -41,11 +42,11 @@ let read_all ?time access sources =
   if Sources.size sources > max_size then
     unread (too_large (Sources.name sources 0))
   else
-    let { Loader.sources; inclusions; missing; syntax } =
+    let { Loader.sources; inclusions; missing; taken; syntax } =
       try Loader.read access sources
       with Stack_overflow ->
         let syntax = Error [ too_deep sources ] in
-        { Loader.sources; inclusions = []; missing = []; syntax }
+        { Loader.sources; inclusions = []; missing = []; taken = []; syntax }
     in
     let scene =
       match Result.bind syntax (Evaluate.scene ?time sources) with
@@ -55,7 +56,15 @@ let read_all ?time access sources =
           Error (Option.value foreign ~default:errors)
       | exception Stack_overflow -> Error [ too_deep sources ]
     in
-    { sources; inclusions; missing; scene }
+    { sources; inclusions; missing; scene; taken = Taken.warnings taken }
+
+let findings { scene; taken; _ } =
+  taken @ Result.fold ~ok:Scene.findings ~error:(fun _ -> []) scene
+
+let provenance { sources; _ } = Provenance.make (Sources.table sources)
+
+let warnings reading =
+  List.map (Warning.to_string (provenance reading)) (findings reading)
 
 let parse ?time ?(access = Access.none) sources =
   (read_all ?time access sources).scene
@@ -199,8 +208,8 @@ let print = print_with (fun _ -> "")
 
 let expand ppf scene =
   let comment origin =
-    match Scene.place scene origin with
+    match Scene.provenance scene origin with
     | None -> ""
-    | Some place -> "  # " ^ Printable.text (Place.to_string place)
+    | Some place -> "  # " ^ Printable.text (Provenance.to_string place)
   in
   print_with comment ppf scene

@@ -34,8 +34,20 @@ type reading = {
           one that is *)
   missing : string list;  (** paths of files that could not be read *)
   scene : (Scene.t, Scene_error.t list) result;
+  taken : Warning.t list;  (** of names that take over a word of the language *)
 }
 (** The type for scenes and the files that they come from. *)
+
+val findings : reading -> Warning.t list
+(** [findings reading] is what is allowed but hardly meant: in the text, and,
+    if it is right, in the scene; see {!Raylab_scene.Scene.findings}. *)
+
+val provenance : reading -> Origin.t -> Provenance.t option
+(** [provenance reading] is {!Provenance.make} of the files of [reading]. *)
+
+val warnings : reading -> string list
+(** [warnings reading] is the {!findings}, a sentence each, with their places.
+*)
 
 val read : ?time:float -> ?access:(string -> Access.t) -> string -> reading
 (** [read ~time ~access path] is {!load}[ ~time ~access path] together with all

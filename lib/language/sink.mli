@@ -12,11 +12,11 @@ val scene : unit -> t
 val group : unit -> t
 (** [group ()] is that of a group. *)
 
-val add : t -> Span.t -> Thing.node -> unit
-(** [add sink span node] puts [node] after what is in [sink]. In a scene it
-    becomes lights and objects where the modifiers around them put them. If
-    they leave the range of numbers there, it raises
-    {!Raylab_expression.Fault.Found} at [span]. *)
+val add : t -> _ Raylab_expression.Value.run -> Span.t -> Thing.node -> unit
+(** [add sink run span node] puts [node] after what is in [sink]. In a scene it
+    becomes lights and objects where the modifiers around them put them; groups
+    and modifiers are steps of [run] then. If they leave the range of numbers
+    there, it raises {!Raylab_expression.Fault.Found} at [span]. *)
 
 val lights : t -> Light.t list
 (** [lights sink] is the lights in a scene, in their order. *)

@@ -1,3 +1,29 @@
-type t = Unknown | Literal of int
+open Raylab_expression
 
-let offset = function Unknown -> None | Literal at -> Some at
+type t =
+  | Unknown
+  | Literal of int
+  | Made of { at : int; within : Trail.t; placed : placed }
+
+and placed =
+  | At_once
+  | By_name of { name : string; at : int; within : Trail.t; around : placed }
+
+let offset = function
+  | Unknown -> None
+  | Literal at | Made { at; _ } -> Some at
+
+let make ~at ~within =
+  match within with
+  | Trail.Start -> Literal at
+  | within -> Made { at; within; placed = At_once }
+
+let again within = function
+  | Literal at -> make ~at ~within
+  | (Unknown | Made _) as origin -> origin
+
+let place placed origin =
+  match (origin, placed) with
+  | Unknown, _ | _, At_once -> origin
+  | Literal at, _ -> Made { at; within = Start; placed }
+  | Made { at; within; _ }, _ -> Made { at; within; placed }

@@ -28,10 +28,7 @@ let make ?(lens = Lens.pinhole) ?(film = Film.default)
   require_ray_depth ray_depth;
   { camera; lens; film; background; ray_depth; lights; objects; files }
 
-let place scene : Origin.t -> Place.t option = function
-  | Unknown -> None
-  | Literal offset -> Files.place scene.files offset
-
+let provenance scene = Provenance.make scene.files
 let with_camera camera scene = { scene with camera }
 let with_lens lens scene = { scene with lens }
 let with_film film scene = { scene with film }
@@ -92,7 +89,7 @@ let findings scene =
   @ Twins.warnings scene.objects
 
 let warnings scene =
-  List.map (Warning.to_string (place scene)) (findings scene)
+  List.map (Warning.to_string (provenance scene)) (findings scene)
 
 let equal a b =
   Camera.equal a.camera b.camera

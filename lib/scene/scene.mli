@@ -76,9 +76,9 @@ val without_places : t -> t
 
 (** {1 Places} *)
 
-val place : t -> Origin.t -> Place.t option
-(** [place scene origin] is where the files of [scene] have what is of this
-    origin; [None] if that is unknown, or they do not have it. *)
+val provenance : t -> Origin.t -> Provenance.t option
+(** [provenance scene origin] is what the files of [scene] tell of what is of
+    this origin; [None] if that is unknown, or they do not have it. *)
 
 (** {1 As a whole} *)
 

@@ -1,20 +1,20 @@
 open Raylab_geometry
-open Raylab_source
 
 type t = { text : string; about : Origin.t list }
 
-let in_main_file { Place.file; _ } = file = None
+let is_line { Provenance.place; steps } = place.file = None && steps = []
 
-let to_string place { text; about } =
-  match List.filter_map place about with
+let to_string provenance { text; about } =
+  match List.filter_map provenance about with
   | [] -> text
-  | [ place ] -> Printf.sprintf "%s (%s)" text (Place.to_string place)
-  | places when List.for_all in_main_file places ->
-      let lines = List.map (fun p -> string_of_int p.Place.line) places in
-      Printf.sprintf "%s (lines %s)" text (String.concat " and " lines)
-  | places ->
-      let places = List.map Place.to_string places in
-      Printf.sprintf "%s (%s)" text (String.concat " and " places)
+  | [ one ] -> Printf.sprintf "%s (%s)" text (Provenance.to_string one)
+  | lines when List.for_all is_line lines ->
+      let line { Provenance.place; _ } = string_of_int place.line in
+      Printf.sprintf "%s (lines %s)" text
+        (String.concat " and " (List.map line lines))
+  | several ->
+      Printf.sprintf "%s (%s)" text
+        (String.concat " and " (List.map Provenance.to_string several))
 
 let most = 10
 

@@ -5,11 +5,11 @@ open Raylab_explanation
 
 let errors = List.iter (Format.eprintf "%a@." Scene_error.pp)
 
-let warnings ?path scene =
+let warnings ?path texts =
   let file =
     Option.fold ~none:"" ~some:(fun path -> Printable.text path ^ ": ") path
   in
-  List.iter (Format.eprintf "%swarning: %s@." file) (Scene.warnings scene)
+  List.iter (Format.eprintf "%swarning: %s@." file) texts
 
 let count list noun =
   let n = List.length list in

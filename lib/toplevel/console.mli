@@ -10,9 +10,9 @@ open Raylab_explanation
 val errors : Scene_error.t list -> unit
 (** [errors list] prints [list] on standard error. *)
 
-val warnings : ?path:string -> Scene.t -> unit
-(** [warnings ~path scene] prints the warnings of [scene] on standard error,
-    each after the [path] that it was read from, if it was. *)
+val warnings : ?path:string -> string list -> unit
+(** [warnings ~path texts] prints these warnings on standard error, each after
+    the [path] of the scene that they are about, if it was read. *)
 
 val contents : string -> Scene.t -> unit
 (** [contents path scene] prints how much is in [scene], on one line. *)

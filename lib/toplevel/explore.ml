@@ -1,4 +1,5 @@
 open Raylab_scene
+open Raylab_language
 open Raylab_tracer
 open Raylab_picture
 
@@ -6,7 +7,7 @@ let words =
   [
     ("help ()", "this list");
     ("scene ()", "the scene");
-    ("load \"FILE\"", "takes another scene, from a file");
+    ("load \"FILE\"", "takes another scene, from a file (~time:1. at time 1)");
     ("use SCENE", "takes another scene, made of OCaml values");
     ("why X Y", "why pixel (X, Y), counted from the top left, has its colour");
     ("pixel X Y", "why, in full");
@@ -48,14 +49,14 @@ let scene = Session.scene
 
 let use scene =
   Session.use scene;
-  Console.warnings scene
+  Console.warnings (Scene.warnings scene)
 
-let load path =
-  match Session.load path with
-  | Ok scene ->
-      Console.contents path scene;
-      Console.warnings ~path scene
-  | Error errors -> Console.errors errors
+let load ?time path =
+  let reading = Session.load ?time path in
+  (match reading.Scene_file.scene with
+  | Ok scene -> Console.contents path scene
+  | Error errors -> Console.errors errors);
+  Console.warnings ~path (Scene_file.warnings reading)
 
 (* {1 One ray} *)
 
@@ -113,7 +114,9 @@ let back () = go Walk.back "there is no step before; next () goes on"
 (* {1 The picture} *)
 
 let render () = Native.picture (scene ())
-let show () = Native.show ?file:(Session.file ()) (scene ())
+
+let show () =
+  Native.show ?file:(Session.file ()) ~time:(Session.time ()) (scene ())
 
 let or_sys_error = function
   | Ok value -> value

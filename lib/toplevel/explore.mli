@@ -17,10 +17,11 @@ val help : unit -> unit
 val scene : unit -> Scene.t
 (** [scene ()] is the current scene. *)
 
-val load : string -> unit
-(** [load file] reads a scene file, says what is in it, and what is hardly
-    meant in it, and makes it the current scene. If it is in error, that is
-    told as the command line does, and the scene stays as it was. *)
+val load : ?time:float -> string -> unit
+(** [load ~time file] reads a scene file at [time], by default 0, says what is
+    in it, and what is hardly meant in it, and makes it the current scene. If
+    it is in error, that is told as the command line does, and the scene stays
+    as it was. *)
 
 val use : Scene.t -> unit
 (** [use scene] makes [scene] the current one, and says what is hardly meant in

@@ -129,7 +129,7 @@ let show_with program options path =
 
 (* Then the program says the lines that the prompt says. *)
 let still_has scene file =
-  match Session.read file with
+  match (Session.read file).scene with
   | Ok found -> Scene.equal found scene
   | Error _ -> false
 
@@ -145,7 +145,7 @@ let show_here ~name ~out scene =
   let terminal = Terminal.make stdout ~tell:prerr_endline in
   Result.iter_error prerr_endline (View.run ~terminal source (Scene scene))
 
-let show ?file scene =
+let show ?file ?(time = 0.) scene =
   check_size scene;
   Format.print_flush ();
   let path = Option.value file ~default:"scene" in
@@ -153,7 +153,7 @@ let show ?file scene =
   and out = Scene_file.without_extension path ^ ".bmp" in
   match (program (), file) with
   | None, _ -> show_here ~name ~out scene
-  | Some program, Some file when still_has scene file ->
+  | Some program, Some file when time = 0. && still_has scene file ->
       let allow folder = "--allow=" ^ folder in
       show_with program (List.map allow (Session.allowed ())) file
   | Some program, _ ->

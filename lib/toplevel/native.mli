@@ -21,11 +21,12 @@ val picture : Scene.t -> Picture.t
     [Failure] if the program ends without a picture. Raises [Sys.Break] if it
     is interrupted. *)
 
-val show : ?file:string -> Scene.t -> unit
-(** [show ~file scene] shows [scene], which came from [file], in a window of
-    the native program, or of this one if there is none, until the window is
-    closed. If [file] still describes [scene] it is [file] that is shown. If
-    there is no display that is told on standard error.
+val show : ?file:string -> ?time:float -> Scene.t -> unit
+(** [show ~file ~time scene] shows [scene], which came from [file] as that is
+    at [time], by default 0, in a window of the native program, or of this one
+    if there is none, until the window is closed. If [file] still describes
+    [scene], at time 0, it is [file] that is shown. If there is no display that
+    is told on standard error.
 
     Raises [Sys_error] if the picture would not fit into memory. Raises
     [Failure] if the program fails. Raises [Sys.Break] if it is interrupted. *)

@@ -14,6 +14,9 @@ val file : unit -> string option
 (** [file ()] is the file that the current scene was loaded from, if it was
     from one that has a name; see {!Raylab_picture.Target.has_name}. *)
 
+val time : unit -> float
+(** [time ()] is the time at which it was read, 0 if it was not. *)
+
 val trace : unit -> Prepared.t
 (** [trace ()] is the current scene made ready for tracing. *)
 
@@ -27,12 +30,13 @@ val allow : string list -> unit
 val allowed : unit -> string list
 (** [allowed ()] is these folders. *)
 
-val read : string -> (Scene.t, Scene_error.t list) result
-(** [read path] is the scene in a file, with all that it includes. *)
+val read : ?time:float -> string -> Scene_file.reading
+(** [read ~time path] is the scene in a file at [time], by default 0, with all
+    that it includes. *)
 
-val load : string -> (Scene.t, Scene_error.t list) result
-(** [load path] reads a scene file. If that is right it is the current scene,
-    else nothing has changed. *)
+val load : ?time:float -> string -> Scene_file.reading
+(** [load ~time path] is {!read}[ ~time path]. If that is right it is the
+    current scene, else nothing has changed. *)
 
 val walk : unit -> Walk.t option
 (** [walk ()] is where the walk through the steps of a ray is, if there is one.

@@ -1,5 +1,4 @@
 open Raylab_geometry
-open Raylab_source
 open Raylab_scene
 
 type verdict =
@@ -8,7 +7,7 @@ type verdict =
       shadow_ray : Ray.t;
       by : int;
       blocker : Object.t;
-      place : Place.t option;
+      place : Provenance.t option;
       t : float;
       point : Vec3.t;
     }
@@ -22,7 +21,7 @@ type verdict =
 type light = {
   number : int;
   light : Light.t;
-  place : Place.t option;
+  place : Provenance.t option;
   verdict : verdict;
 }
 
@@ -40,7 +39,7 @@ and outcome = Chain_ended | Missed | Hit of surface_hit
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
-  place : Place.t option;
+  place : Provenance.t option;
   surface : Surface.t;
   lobes : Lobes.t;
   lights : light list;
@@ -60,7 +59,7 @@ type open_ray = {
 }
 
 let unexpected () = invalid_arg "Explain: events in a wrong order"
-let place scene origin = Scene.place scene.Prepared.scene origin
+let place scene origin = Scene.provenance scene.Prepared.scene origin
 
 let hit_of scene hit lights =
   let object_ = Prepared.numbered_object scene hit.Hit.number in

@@ -7,7 +7,6 @@
     who tells of them needs no scene. *)
 
 open Raylab_geometry
-open Raylab_source
 open Raylab_scene
 
 (** What a light gives to a hit. *)
@@ -19,7 +18,7 @@ type verdict =
       shadow_ray : Ray.t;
       by : int;  (** the number of the blocking object, from 1 *)
       blocker : Object.t;
-      place : Place.t option;  (** of the blocking object *)
+      place : Provenance.t option;  (** of the blocking object *)
       t : float;  (** along the shadow ray *)
       point : Vec3.t;
     }
@@ -34,7 +33,7 @@ type verdict =
 type light = {
   number : int;  (** from 1 *)
   light : Light.t;
-  place : Place.t option;
+  place : Provenance.t option;
   verdict : verdict;
 }
 (** A light of the scene, and its verdict. *)
@@ -57,7 +56,7 @@ and outcome =
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
-  place : Place.t option;  (** of the object *)
+  place : Provenance.t option;  (** of the object *)
   surface : Surface.t;  (** what [object_]'s surface is at the hit *)
   lobes : Lobes.t;  (** what [surface] denotes *)
   lights : light list;

@@ -53,6 +53,19 @@ What is wrong with lights, colours and planes is told with their lines.
   hardly.scene: warning: plane 2 is where plane 1 is: they hide each other (lines 6 and 7)
   $ rm hardly.scene
 
+So is a name that takes over a word of the language.
+
+  $ cat > taken.scene << END
+  > imWidth 40 imHeight 30 canvWidth 4 canvHeight 3 depth 4
+  > let sand = 0.9 0.8 0.6   let white = 0.9 0.9 0.9
+  > lights spherical 5 white  0 3 6
+  > for red = 0 to 1  sphere red 0 6  0.3  diffusive sand end
+  > END
+  $ raylab check taken.scene
+  taken.scene: warning: 'white' is a name from here to the end of its block, and no longer the word of the language (line 2)
+  taken.scene: warning: 'red' is a name from here to the end of its block, and no longer the word of the language (line 4)
+  $ rm taken.scene
+
 Several scenes, each of which is read: one in error is enough for exit status 1.
 
   $ raylab check good.scene broken.scene missing.scene unlit.scene good.scene 2>&1 |

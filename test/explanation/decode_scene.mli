@@ -1,7 +1,6 @@
 (** The scene's things in the JSON of explanations, and plain values. *)
 
 open Raylab_geometry
-open Raylab_source
 open Raylab_scene
 
 exception Wrong of string
@@ -43,5 +42,5 @@ val place_members : Yojson.Safe.t -> string list
 val origin : Yojson.Safe.t -> Origin.t
 (** [origin json] is where in {!Test_support.Build.files} that place is. *)
 
-val object_ : Yojson.Safe.t -> int * Object.t * Place.t option
+val object_ : Yojson.Safe.t -> int * Object.t * Provenance.t option
 (** [object_ json] is an OBJECT, its number and its place. *)

@@ -1,4 +1,5 @@
 open Raylab_geometry
+open Raylab_expression
 open Raylab_scene
 open Raylab_tracer
 open Raylab_explanation
@@ -68,7 +69,7 @@ let test_document () =
   let expected : Yojson.Safe.t =
     `Assoc
       [
-        ("version", `Int 2);
+        ("version", `Int 3);
         ( "pixels",
           `List
             [
@@ -97,6 +98,47 @@ let test_document () =
     "as documented"
     (Yojson.Safe.to_string expected)
     (Yojson.Safe.to_string found)
+
+(* What a program made, with all that an origin may say. *)
+let test_made () =
+  let around =
+    Trail.Round { name = "i"; value = Number 4.; at = 11; around = Start }
+  in
+  let arguments =
+    [
+      ("n", Datum.Number 2.);
+      ("flat", Truth true);
+      ("name", Text "a");
+      ("at", Vector (v 1. 2. 3.));
+      ("all", List { first = [ Number 1. ]; count = 5 });
+      ("of", Other "a surface");
+    ]
+  in
+  let within = Trail.Call { name = "flake"; arguments; at = 99; around }
+  and placed =
+    Origin.By_name
+      { name = "ball"; at = 106; within = Start; around = At_once }
+  in
+  let origin = Origin.Made { at = 8; within; placed } in
+  let shape = Shape.sphere ~centre:(v 0. 0. 6.) ~radius:1. in
+  let object_ = Object.make ~origin shape Surface.reflective in
+  let scene =
+    Prepared.make (Scene.make ~files ~objects:[ object_ ] (camera ()))
+  in
+  let json = Json.document [ Explain.pixel scene ~x:0 ~y:0 ] in
+  let first = function `List (first :: _) -> first | _ -> `Null in
+  let pixel = first (Decode_scene.member "pixels" json) in
+  let sample = first (Decode_scene.member "samples" pixel) in
+  let made =
+    List.fold_left
+      (fun json name -> Decode_scene.member name json)
+      sample
+      [ "ray"; "hit"; "object"; "made" ]
+  in
+  Alcotest.(check string)
+    "as documented"
+    {|[{"call":"flake","arguments":[{"name":"n","value":2.0},{"name":"flat","value":true},{"name":"name","value":"a"},{"name":"at","value":[1.0,2.0,3.0]},{"name":"all","value":{"count":5,"first":[1.0]}},{"name":"of","value":{"what":"a surface"}}],"line":100},{"round":"i","value":4.0,"line":12},{"placed":"ball","line":7,"file":"wood.scene"}]|}
+    (Yojson.Safe.to_string made)
 
 (* Every kind of surface, light and verdict, and lines of two files. *)
 let test_all_kinds () =
@@ -164,6 +206,7 @@ let test_object () =
 let suite =
   ( "Json",
     Alcotest.test_case "document" `Quick test_document
+    :: Alcotest.test_case "made" `Quick test_made
     :: Alcotest.test_case "all kinds" `Quick test_all_kinds
     :: Alcotest.test_case "an object" `Quick test_object
     :: round_trip :: any_string :: strict )

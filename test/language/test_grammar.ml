@@ -1,4 +1,3 @@
-open Raylab_source
 open Raylab_scene
 open Test_support
 open Build
@@ -95,7 +94,9 @@ let test_lines () =
   in
   let lines = Alcotest.(list (option int)) in
   let line origin =
-    Option.map (fun { Place.line; _ } -> line) (Scene.place scene origin)
+    Option.map
+      (fun { Provenance.place; _ } -> place.line)
+      (Scene.provenance scene origin)
   in
   Alcotest.check lines "lights" [ Some 3; Some 4 ]
     (List.map (fun (light : Light.t) -> line light.origin) scene.lights);

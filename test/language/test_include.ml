@@ -232,15 +232,20 @@ let test_doubling () =
   | _ -> Alcotest.fail "2^40 spheres");
   Alcotest.(check int) "read once" 41 (Hashtbl.length counts)
 
-let test_origin () =
+let check_origin what expected text =
   let ({ Scene.objects; _ } as scene) =
-    scene [ ("main.scene", main {|include "a"|}); ("a", "\n" ^ ball 1) ]
+    scene [ ("main.scene", main text); ("a", "\n" ^ ball 1) ]
   in
   let place (o : Object.t) =
-    Option.map Place.to_string (Scene.place scene o.origin)
+    Option.map Provenance.to_string (Scene.provenance scene o.origin)
   in
   Alcotest.(check (list (option string)))
-    "the file is named" [ Some "line 2 of a" ] (List.map place objects)
+    what [ Some expected ] (List.map place objects)
+
+let test_origin () =
+  check_origin "the file is named" "line 2 of a" {|include "a"|};
+  check_origin "and the round in which it stands" "line 2 of a, i = 3, line 2"
+    {|for i = 3 to 3 include "a" end|}
 
 let suite =
   ( "Include",

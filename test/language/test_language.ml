@@ -15,6 +15,7 @@ let () =
       Test_error_messages.suite;
       Test_program_errors.suite;
       Test_program.suite;
+      Test_provenance.suite;
       Test_expectation.suite;
       Test_second_file.suite;
       Test_include.suite;

@@ -11,7 +11,7 @@ let read text =
   in
   let file = List.nth (Sources.files sources) 1 in
   match Reader.parse sources file with
-  | Ok { syntax; _ } -> Evaluate.scene sources syntax
+  | Ok { included; _ } -> Evaluate.scene sources included.syntax
   | Error error -> Error [ error ]
 
 let check_error what expected text =
@@ -37,7 +37,7 @@ let test_places () =
   | Error errors -> Alcotest.fail (Read.show_errors errors)
   | Ok scene ->
       let place (o : Object.t) =
-        Option.map Place.to_string (Scene.place scene o.origin)
+        Option.map Provenance.to_string (Scene.provenance scene o.origin)
       in
       Alcotest.(check (list (option string)))
         "objects"

@@ -71,7 +71,7 @@ let test_places () =
   let check what expected scene origin =
     Alcotest.(check (option string))
       what expected
-      (Option.map Raylab_source.Place.to_string (Scene.place scene origin))
+      (Option.map Provenance.to_string (Scene.provenance scene origin))
   in
   let scene = Scene.make ~files (camera ()) in
   check "the main file" (Some "line 7") scene (at_line 7);

@@ -22,7 +22,7 @@ let files =
 
 let at_line line = Origin.Literal (line - 1)
 let at_line_of_wood line = Origin.Literal (lines + line - 1)
-let place = Scene.place (Scene.make ~files (camera ()))
+let place = Scene.provenance (Scene.make ~files (camera ()))
 
 let sphere ?line centre radius =
   let origin = Option.map at_line line in

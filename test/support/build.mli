@@ -41,7 +41,7 @@ val at_line : int -> Origin.t
 val at_line_of_wood : int -> Origin.t
 (** [at_line_of_wood n] starts in line [n] of the other. *)
 
-val place : Origin.t -> Place.t option
+val place : Origin.t -> Provenance.t option
 (** [place origin] is its place in {!files}. *)
 
 (** {1 Objects} *)

@@ -122,7 +122,7 @@ Words
   $ cat help
   help ()       this list
   scene ()      the scene
-  load "FILE"   takes another scene, from a file
+  load "FILE"   takes another scene, from a file (~time:1. at time 1)
   use SCENE     takes another scene, made of OCaml values
   why X Y       why pixel (X, Y), counted from the top left, has its colour
   pixel X Y     why, in full
