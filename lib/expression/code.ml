@@ -123,14 +123,15 @@ and loop :
  fun scope ~at:span name name_span range ->
   let range = compile_range scope range in
   let inner, binding = Scope.bind scope name name_span in
+  let loop = { Trail.name; at = name_span.start } in
   ( inner,
     fun frame f ->
       let run = frame.run in
-      let around = run.trail and at = name_span.Raylab_source.Span.start in
+      let around = run.trail in
       Loop.each ~at:span range frame (fun value ->
           Frame.set binding frame value;
-          let told = Value.datum run.describe value in
-          run.trail <- Round { name; value = told; at; around };
+          let value = Value.datum run.describe value in
+          run.trail <- Round { loop; value; around };
           f ());
       run.trail <- around )
 

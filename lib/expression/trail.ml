@@ -6,7 +6,9 @@ type t =
       at : int;
       around : t;
     }
-  | Round of { name : string; value : Datum.t; at : int; around : t }
+  | Round of { loop : loop; value : Datum.t; around : t }
+
+and loop = { name : string; at : int }
 
 let around = function
   | Start -> Start

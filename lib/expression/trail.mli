@@ -11,12 +11,12 @@ type t =
       at : int;  (** where it is called *)
       around : t;
     }
-  | Round of {
-      name : string;
-      value : Datum.t;
-      at : int;  (** where the loop introduces the name *)
-      around : t;
-    }
+  | Round of { loop : loop; value : Datum.t; around : t }
+
+and loop = {
+  name : string;
+  at : int;  (** where the loop introduces the name *)
+}
 
 val around : t -> t
 (** [around trail] is [trail] without its innermost call or round. *)

@@ -45,7 +45,7 @@ let step sources (trail : Trail.t) =
       Printf.sprintf "in %s(%s), called in %s" name
         (String.concat ", " (List.map argument arguments))
         (place sources at)
-  | Round { name; value; at; _ } ->
+  | Round { loop = { name; at }; value; _ } ->
       Printf.sprintf "with %s = %s, %s" name (Datum.to_string value)
         (place sources at)
 

@@ -3,7 +3,8 @@ open Raylab_expression
 type t =
   | Unknown
   | Literal of int
-  | Made of { at : int; within : Trail.t; placed : placed }
+  | Made of { at : int; within : Trail.t }
+  | Placed of { at : int; within : Trail.t; placed : placed }
 
 and placed =
   | At_once
@@ -14,16 +15,14 @@ let offset = function
   | Literal at | Made { at; _ } -> Some at
 
 let make ~at ~within =
-  match within with
-  | Trail.Start -> Literal at
-  | within -> Made { at; within; placed = At_once }
+  match within with Trail.Start -> Literal at | within -> Made { at; within }
 
 let again within = function
   | Literal at -> make ~at ~within
-  | (Unknown | Made _) as origin -> origin
+  | (Unknown | Made _ | Placed _) as origin -> origin
 
 let place placed origin =
   match (origin, placed) with
-  | Unknown, _ | _, At_once -> origin
-  | Literal at, _ -> Made { at; within = Start; placed }
-  | Made { at; within; _ }, _ -> Made { at; within; placed }
+  | (Unknown | Placed _), _ | _, At_once -> origin
+  | Literal at, _ -> Placed { at; within = Start; placed }
+  | Made { at; within }, _ -> Placed { at; within; placed }

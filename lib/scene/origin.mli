@@ -10,9 +10,10 @@ type t =
   | Unknown  (** from no file: it is made of values *)
   | Literal of int
       (** it is written out in a file, and starts at this offset *)
-  | Made of { at : int; within : Trail.t; placed : placed }
-      (** what is written there was evaluated in these calls and rounds, and
-          then placed *)
+  | Made of { at : int; within : Trail.t }
+      (** what is written there was evaluated in these calls and rounds *)
+  | Placed of { at : int; within : Trail.t; placed : placed }
+      (** and then it was placed by its name *)
 
 (** The type for how what has a name was placed, the innermost first. *)
 and placed =
@@ -35,4 +36,5 @@ val again : Trail.t -> t -> t
     a round. *)
 
 val place : placed -> t -> t
-(** [place placed origin] is [origin], which was made at once, placed so. *)
+(** [place placed origin] is [origin], which has not been placed yet, placed
+    so. *)

@@ -16,7 +16,7 @@ let step files (trail : Trail.t) =
   | Start -> None
   | Call { name; arguments; at; _ } ->
       Some { what = Call { name; arguments }; place = Files.place files at }
-  | Round { name; value; at; _ } ->
+  | Round { loop = { name; at }; value; _ } ->
       Some { what = Round { name; value }; place = Files.place files at }
 
 (* What is around a thing where it is placed is told once, there. *)
@@ -35,7 +35,8 @@ let make files (origin : Origin.t) =
   match origin with
   | Unknown -> None
   | Literal at -> found at []
-  | Made { at; within; placed } -> found at (steps files within placed)
+  | Made { at; within } -> found at (steps files within At_once)
+  | Placed { at; within; placed } -> found at (steps files within placed)
 
 (* {1 Telling} *)
 

@@ -128,7 +128,7 @@ JSON
 
   $ raylab explain three.scene --json 1,0
   {
-    "version": 2,
+    "version": 3,
     "pixels": [
       {
         "x": 1,
@@ -208,7 +208,7 @@ It goes to a file; the text is printed as well.
   2
   $ raylab explain three.scene 0,0 --json --svg json.svg | head -n 2
   {
-    "version": 2,
+    "version": 3,
   $ cmp path.svg json.svg
 
 Or to standard output, alone.

@@ -22,10 +22,10 @@ Scenes of several files. test/language/test_include.ml tells what they mean.
   $ raylab render -q house/main.scene -o out/a.png
   $ raylab explain house/main.scene 8,6 | head -5
   pixel (8, 6) is rgb 0 0 0: a brown sphere (object 2, line 2 of
-  parts/wood.scene), facing away from light 1, so that no light reaches it
+  parts/wood.scene, in ball(x: 0), line 4), facing away from light 1, so that
+  no light reaches it
   
   ray 1: (0, 0, -4) + t (0.0312195, -0.0312195, 0.999025), 4 left in the chain
-    hits sphere 2 (line 2 of parts/wood.scene) at t = 7.6383,
 
 Names are relative to the file that names them, wherever one works; of standard
 input to the current folder.

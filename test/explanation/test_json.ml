@@ -102,7 +102,8 @@ let test_document () =
 (* What a program made, with all that an origin may say. *)
 let test_made () =
   let around =
-    Trail.Round { name = "i"; value = Number 4.; at = 11; around = Start }
+    Trail.Round
+      { loop = { name = "i"; at = 11 }; value = Number 4.; around = Start }
   in
   let arguments =
     [
@@ -119,7 +120,7 @@ let test_made () =
     Origin.By_name
       { name = "ball"; at = 106; within = Start; around = At_once }
   in
-  let origin = Origin.Made { at = 8; within; placed } in
+  let origin = Origin.Placed { at = 8; within; placed } in
   let shape = Shape.sphere ~centre:(v 0. 0. 6.) ~radius:1. in
   let object_ = Object.make ~origin shape Surface.reflective in
   let scene =

@@ -90,7 +90,7 @@ sphere 0 (j) 9 0.1 reflective end end|}
   let scene = Read.scene (Read.with_header text) in
   let trail (o : Object.t) =
     match o.origin with
-    | Made { within; _ } -> within
+    | Origin.Made { within; _ } -> within
     | _ -> Alcotest.fail "not made in a round"
   in
   match List.map trail scene.objects with
