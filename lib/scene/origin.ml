@@ -12,7 +12,7 @@ and placed =
 
 let offset = function
   | Unknown -> None
-  | Literal at | Made { at; _ } -> Some at
+  | Literal at | Made { at; _ } | Placed { at; _ } -> Some at
 
 let make ~at ~within =
   match within with Trail.Start -> Literal at | within -> Made { at; within }
