@@ -46,6 +46,9 @@ let deepest objects =
     (fun levels (o : Object.t) -> Int.max levels (Surface.levels o.surface))
     1 objects
 
+let usual_offset (scene : Scene.t) =
+  Offset.of_scale (Camera.scale scene.camera)
+
 let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
   let objects = Array.of_list scene.objects in
   let shapes = Array.map (fun (o : Object.t) -> o.shape) objects
@@ -60,8 +63,12 @@ let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
     rows;
     levels;
     index = index shapes;
-    offset = Offset.of_scale (Camera.scale scene.camera);
+    offset = usual_offset scene;
   }
+
+let with_camera camera t =
+  let scene = Scene.with_camera camera t.scene in
+  { t with scene; offset = usual_offset scene }
 
 let numbered_object t number = t.objects.(number - 1)
 let numbered_light t number = t.lights.(number - 1)

@@ -26,6 +26,10 @@ val make :
     default {!Raylab_geometry.Bvh.index} on at most [domains] domains, by
     default 1; it makes no difference to any colour. *)
 
+val with_camera : Camera.t -> t -> t
+(** [with_camera camera t] is [t] seen by [camera], at once: it is what {!make}
+    makes of {!Raylab_scene.Scene.with_camera}. *)
+
 val numbered_object : t -> int -> Object.t
 (** [numbered_object t k] is the object of number [k], counted from 1, at once
     also in a scene of millions.

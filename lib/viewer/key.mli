@@ -5,6 +5,10 @@ type t =
   | Render
   | Toggle_path
   | Clear
+  | Nearer
+  | Farther
+  | Back
+  | Print_view
   | Help
   | Close  (** The type for what a key is for. *)
 

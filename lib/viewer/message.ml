@@ -38,19 +38,56 @@ let white = 0xffffff
 let margin = 10.
 let leading = 2.
 
-let draw ~text_size { Rectangle.left; top; right; bottom } text =
+(* A letter's width, and the height of a line. *)
+let cell text_size =
   let across, down = text_size "X" in
-  let down = down +. leading in
-  let count length each =
-    int_of_float ((length -. (2. *. margin)) /. Float.max 1. each)
-  in
-  let lines =
-    wrap text
-      ~columns:(count (right -. left) across)
-      ~rows:(count (bottom -. top) down)
-  in
+  (Float.max 1. across, Float.max 1. (down +. leading))
+
+let fitting ~text_size ~margin width height text =
+  let across, down = cell text_size in
+  let count length each = int_of_float ((length -. (2. *. margin)) /. each) in
+  wrap text ~columns:(count width across) ~rows:(count height down)
+
+let write ~text_size ~margin (left, top) lines =
+  let _, down = cell text_size in
   List.mapi
     (fun k line ->
       let top = top +. margin +. (float_of_int k *. down) in
       Drawing.text ~level:Top ~ink:white (left +. margin, top) line)
     lines
+
+let draw ~text_size { Rectangle.left; top; right; bottom } text =
+  fitting ~text_size ~margin (right -. left) (bottom -. top) text
+  |> write ~text_size ~margin (left, top)
+
+(* {1 Notes} *)
+
+let paper = Drawing.filled (Ink 0x202428)
+let inset = 6.
+
+let note ~text_size ?avoid ({ Rectangle.left; top; right; bottom } as window)
+    text =
+  let lines =
+    fitting ~text_size ~margin:inset (right -. left)
+      ((bottom -. top) /. 2.)
+      text
+  in
+  let _, down = cell text_size in
+  let height =
+    (float_of_int (List.length lines) *. down) +. (2. *. inset) -. leading
+  in
+  let at_top = { window with bottom = top +. height }
+  and at_bottom = { window with top = bottom -. height } in
+  let is_in_the_way =
+    Option.fold ~none:false ~some:(Rectangle.overlap at_top)
+  in
+  let box, rest =
+    if is_in_the_way avoid then
+      (at_bottom, { window with bottom = at_bottom.top })
+    else (at_top, { window with top = at_top.bottom })
+  in
+  if lines = [] then (window, [])
+  else
+    ( rest,
+      Drawing.Box (paper, box)
+      :: write ~text_size ~margin:inset (box.left, box.top) lines )

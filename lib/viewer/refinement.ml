@@ -6,6 +6,7 @@ type t = {
   passes : Pass.t array;
   passes_done : int array;  (** a set of bits *)
   steps : int array;  (** {!step} *)
+  mutable squares_known : int;  (** those whose step is not 0 *)
   pixels : float;  (** of all passes *)
   mutable pixels_known : float;
 }
@@ -21,6 +22,7 @@ let make picture ~passes ~step ~pixels ~pixels_known =
     passes;
     passes_done = Array.make squares 0;
     steps = Array.make squares step;
+    squares_known = (if step = 0 then 0 else squares);
     pixels;
     pixels_known;
   }
@@ -53,8 +55,10 @@ let rec step_after passes set k step =
    and a collection stops the domains that render. *)
 let note_square r bit k =
   let set = r.passes_done.(k) lor bit in
+  let before = r.steps.(k) and after = step_after r.passes set 0 0 in
   r.passes_done.(k) <- set;
-  r.steps.(k) <- step_after r.passes set 0 0
+  r.steps.(k) <- after;
+  if before = 0 && after > 0 then r.squares_known <- r.squares_known + 1
 
 let note r pass (tile : Tile.t) =
   let bit = bit r pass in
@@ -67,6 +71,7 @@ let note r pass (tile : Tile.t) =
   r.pixels_known <- r.pixels_known +. pixels pass tile
 
 let part r = r.pixels_known /. r.pixels
+let is_covered r = r.squares_known = Array.length r.steps
 let step r ~x ~y = r.steps.(square_at r x y)
 
 let color r ~x ~y =

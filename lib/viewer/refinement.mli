@@ -28,6 +28,10 @@ val part : t -> float
 (** [part r] is which part of the pixels of all passes is known, from 0 to 1.
 *)
 
+val is_covered : t -> bool
+(** [is_covered r] is whether something is known everywhere: no {!step} is 0.
+*)
+
 val step : t -> x:int -> y:int -> int
 (** [step r ~x ~y] is the side of the block around pixel [(x, y)] of which one
     pixel, the upper left, is known; blocks are as small as the passes done

@@ -1,16 +1,17 @@
 type t = {
-  start : unit -> Rendering.t;
   mutable under_way : Rendering.t option;
-  mutable is_wanted : bool;  (** a new one, once that under way has ended *)
+  mutable wanted : (unit -> Rendering.t) option;
+      (** the next one, once that under way has ended *)
 }
 
-let make start = { start; under_way = None; is_wanted = false }
+let make () = { under_way = None; wanted = None }
 
-let restart r =
-  r.is_wanted <- true;
+let restart r start =
+  r.wanted <- Some start;
   Option.iter Rendering.stop r.under_way
 
-let is_busy r = r.is_wanted || Option.is_some r.under_way
+let is_busy r = Option.is_some r.wanted || Option.is_some r.under_way
+let is_turning r = Option.is_some r.wanted && Option.is_some r.under_way
 
 let finish r =
   Option.iter
@@ -20,16 +21,23 @@ let finish r =
       Rendering.join rendering)
     r.under_way
 
+let start_wanted r =
+  match (r.under_way, r.wanted) with
+  | None, Some start ->
+      r.wanted <- None;
+      r.under_way <- Some (start ())
+  | _ -> ()
+
 let news r =
-  match r.under_way with
-  | Some rendering ->
-      let is_over = Rendering.is_over rendering in
-      let news = Rendering.news rendering in
-      if is_over then finish r;
-      (* what a stopped rendering still has to tell does not matter *)
-      if r.is_wanted then [] else news
-  | None ->
-      if r.is_wanted then (
-        r.is_wanted <- false;
-        r.under_way <- Some (r.start ()));
-      []
+  let told =
+    match r.under_way with
+    | None -> []
+    | Some rendering ->
+        let is_over = Rendering.is_over rendering in
+        let news = Rendering.news rendering in
+        if is_over then finish r;
+        (* what a stopped rendering still has to tell does not matter *)
+        if Option.is_some r.wanted then [] else news
+  in
+  start_wanted r;
+  told

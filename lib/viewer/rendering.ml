@@ -34,7 +34,6 @@ let work shared ~domains ?rows ~clock load =
   | Error message -> post shared (Failed message)
   | Ok _ when stop () -> ()
   | Ok scene ->
-      let scene = Prepared.make ~domains scene in
       let rows = rows_of scene rows in
       let picture = Render.blank ~rows scene in
       post shared (Began { scene; picture; first_row = rows.first });

@@ -3,7 +3,6 @@
     It reads the scene, makes it ready and fills the picture, all of it on
     domains other than the one that calls this. *)
 
-open Raylab_scene
 open Raylab_tracer
 
 type t
@@ -22,7 +21,7 @@ val start :
   ?rows:Render.rows ->
   clock:(unit -> float) ->
   enter:(unit -> unit) ->
-  (unit -> (Scene.t, string) result) ->
+  (unit -> (Prepared.t, string) result) ->
   t
 (** [start ~domains ~rows ~clock ~enter load] renders what [load ()] is, on
     [domains] domains, or one less if that is all that there are. If it has no

@@ -25,18 +25,24 @@ val make :
 
 type event =
   | Pressed of char  (** a key *)
-  | Clicked of int * int  (** a place of the window *)
+  | Button_down of int * int  (** at a place of the window *)
+  | Pointer_at of int * int  (** while the button is held *)
+  | Button_up of int * int
   | Resized of int * int  (** the window has this width and height *)
   | Changed  (** what the scene is read from *)
   | News of Rendering.news
   | Saving_checked of (unit, string) result
       (** the answer to {!Check_saving}: it will work, or why not *)
+  | Saved of string  (** the answer to {!Save}: where, or why not *)
   | Rendered of Shown.t * float
       (** a picture, whole at once, which took so many seconds *)
 
 (** What is to be done. *)
 type request =
   | Render  (** read the scene and render it, anew if that is under way *)
+  | Look of Prepared.t
+      (** render this, the scene from where the hand has put the eye; anew if
+          something is under way *)
   | Check_saving  (** find out whether {!Save} will work *)
   | Save of Picture.t
   | Print of string  (** lines that were asked for *)
@@ -48,6 +54,10 @@ type request =
 val step : t -> event -> t * request list
 (** [step viewer event] is [viewer] after [event], and what is to be done for
     it, in this order. *)
+
+val is_holding : t -> bool
+(** [is_holding viewer] is whether a button is held, so that it matters where
+    the pointer is. *)
 
 val is_closed : t -> bool
 (** [is_closed viewer] is whether a key has closed it. *)

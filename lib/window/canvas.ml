@@ -151,15 +151,22 @@ let show canvas = guard canvas G.synchronize
 
 (* {1 Events} *)
 
-type event = Key of char | Click of int * int
+type event = Key of char | Down of int * int | Up of int * int
 
-let wanted = [ G.Button_down; G.Key_pressed ]
+let wanted = [ G.Button_down; G.Button_up; G.Key_pressed ]
 
 let next canvas ~seconds =
   guard canvas (fun () ->
       match Tick.within ~seconds (fun () -> G.wait_next_event wanted) with
       | Some { keypressed = true; key; _ } -> Some (Key key)
-      | Some { mouse_x; mouse_y; _ } -> Some (Click (mouse_x, flip mouse_y))
+      | Some { mouse_x; mouse_y; button = true; _ } ->
+          Some (Down (mouse_x, flip mouse_y))
+      | Some { mouse_x; mouse_y; _ } -> Some (Up (mouse_x, flip mouse_y))
       | None ->
           ask_the_server ();
           None)
+
+let pointer canvas =
+  guard canvas (fun () ->
+      let x, y = G.mouse_pos () in
+      (x, flip y))

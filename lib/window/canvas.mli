@@ -67,8 +67,13 @@ val show : t -> unit
 
 (** {1 Events} *)
 
-type event = Key of char | Click of int * int
+(** The type for what a user does: a key, and a button of the mouse that goes
+    down or up at a place. *)
+type event = Key of char | Down of int * int | Up of int * int
 
 val next : t -> seconds:float -> event option
 (** [next canvas ~seconds] is the next event, as soon as there is one; [None]
-    if there is none for [seconds]. The wheel of a mouse clicks, too. *)
+    if there is none for [seconds]. The wheel of a mouse is a button, too. *)
+
+val pointer : t -> int * int
+(** [pointer canvas] is where the pointer is now. *)

@@ -8,6 +8,8 @@ type t = {
   canvas : Canvas.t;
   terminal : Terminal.t;
   renderer : Renderer.t;
+  render : unit -> Rendering.t;  (** reads the scene and renders it *)
+  look : Prepared.t -> Rendering.t;  (** renders this *)
   can_save : unit -> (unit, string) result;
       (** whether [save] will work as far as is known now, or why not *)
   save : Picture.t -> string;

@@ -67,14 +67,18 @@ let shell ~domains ?rows ?watch ~terminal { load; can_save; save; _ } first
     | Rendered _ -> None
   in
   let load = once_known known load in
-  let start () =
-    Rendering.start ~domains ?rows load ~clock:Unix.gettimeofday
+  let start =
+    Rendering.start ~domains ?rows ~clock:Unix.gettimeofday
       ~enter:Tick.not_here
+  in
+  let prepared () = Result.map (Prepared.make ~domains) (load ())
   and has_changed () = Option.fold watch ~none:false ~some:Watch.has_changed in
   {
     Shell.canvas;
     terminal;
-    renderer = Renderer.make start;
+    renderer = Renderer.make ();
+    render = (fun () -> start prepared);
+    look = (fun scene -> start (fun () -> Ok scene));
     can_save;
     save;
     has_changed = every seconds_between_looks has_changed;

@@ -6,7 +6,7 @@ let test_keys () =
   in
   Alcotest.(check (list char))
     "these and no others"
-    [ '\027'; 'C'; 'E'; 'H'; 'Q'; 'R'; 'S'; 'c'; 'e'; 'h'; 'q'; 'r'; 's' ]
+    (List.of_seq (String.to_seq "\027+-0=CEHQRSVcehqrsv"))
     keys;
   List.iter
     (fun c ->
@@ -19,6 +19,6 @@ let test_keys () =
   in
   Alcotest.(check bool)
     "listed" true
-    (List.for_all is_listed [ 'c'; 'e'; 'h'; 'q'; 'r'; 's' ])
+    (List.for_all is_listed [ '+'; '0'; 'v'; 'c'; 'e'; 'h'; 'q'; 'r'; 's' ])
 
 let suite = ("Key", [ Alcotest.test_case "keys" `Quick test_keys ])

@@ -136,6 +136,27 @@ let test_blocks () =
   check "pixels" (Some (colour 5 11)) 5 11;
   Alcotest.(check (float 1e-9)) "part" (256. /. 800.) (Refinement.part r)
 
+let test_covered () =
+  let size = (40, 20) in
+  let r = start (filled size) in
+  let check name expected =
+    Alcotest.(check bool) name expected (Refinement.is_covered r)
+  in
+  let first, second =
+    match passes size with a :: b :: _ -> (a, b) | _ -> assert false
+  in
+  check "nothing is known" false;
+  List.iter (Refinement.note r second) (tiles second size);
+  check "a pass does not count before the first" false;
+  let first_tiles = tiles first size in
+  List.iter (Refinement.note r first) (List.tl first_tiles);
+  check "a tile lacks" false;
+  Refinement.note r first (List.hd first_tiles);
+  check "everywhere" true;
+  Alcotest.(check bool)
+    "at once" true
+    (Refinement.is_covered (Refinement.complete (filled size)))
+
 (* The first pass of 1,000 x 800 pixels is done in tiles of 32. *)
 let test_large () =
   let r = start (filled (1000, 800)) in
@@ -176,6 +197,7 @@ let suite =
       [ prop_once; prop_whole; prop_pixels; prop_few_at_first; prop_known ]
     @ [
         Alcotest.test_case "blocks" `Quick test_blocks;
+        Alcotest.test_case "covered" `Quick test_covered;
         Alcotest.test_case "blocks of a large picture" `Quick test_large;
         Alcotest.test_case "complete" `Quick test_complete;
         Alcotest.test_case "no words a square" `Quick test_words;

@@ -7,5 +7,7 @@ let () =
       Test_message.suite;
       Test_changes.suite;
       Test_key.suite;
+      Test_hand.suite;
+      Test_orbit.suite;
       Test_steps.suite;
     ]

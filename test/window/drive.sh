@@ -68,6 +68,18 @@ whole() { shows ' s$'; }
 press() { xdotool mousemove --window "$window" 3 3 key "$1"; }
 click() { xdotool mousemove --window "$window" "$1" "$2" click 1; }
 
+# [drag X Y X Y ...] presses the button at the first place, and lets it go at the
+# last.
+drag() {
+  xdotool mousemove --window "$window" "$1" "$2" mousedown 1
+  shift 2
+  while [ $# -gt 0 ]; do
+    xdotool mousemove --window "$window" "$1" "$2"
+    shift 2
+  done
+  xdotool mouseup 1
+}
+
 # What the window shows, and what it should: bytes, three a pixel.
 contents() { import -window "$window" -depth 8 rgb:- 2>/dev/null; }
 pixels_of() { tail -c "$2" "$1"; }

@@ -36,7 +36,7 @@ let () =
       let rec wait () =
         match Canvas.next canvas ~seconds:0.1 with
         | Some (Key _) -> ()
-        | Some (Click _) | None -> wait ()
+        | Some (Down _ | Up _) | None -> wait ()
       in
       wait ();
       Canvas.close canvas

@@ -80,6 +80,11 @@ Keys do the same with Caps Lock.
   $ until_ok wrote_twice
   $ press Caps_Lock
 
+A message goes with the next key or click.
+
+  $ press x
+  $ until_ok is_picture mirror.rgb
+
 r renders the file again.
 
   $ sed 's/0.2 0.3 0.5/0.5 0.3 0.2/' mirror.scene > other.scene
@@ -115,6 +120,47 @@ q closes it.
   $ grep -c '^pixel' out
   4
   $ uniq err
+  raylab: wrote mirror.bmp
+
+The eye
+-------
+
+A drag turns the eye around the point at which it looks; half of the picture is a
+quarter of a turn. v prints what the scene needs to show the same.
+
+  $ start mirror.scene view mirror.scene
+  $ whole
+  $ drag 30 30 50 31 80 32 90 30
+  $ press v
+  $ until_ok said lookAt
+  $ cat out
+  eye -4 0 0   lookAt 0 0 0
+  $ { cat out; cat mirror.scene; } > turned.scene
+  $ picture turned.scene > turned.rgb
+  $ press x
+  $ until_ok is_picture turned.rgb
+
+So do + and -, and 0 goes back. A click explains what is seen, and is no drag
+even if the hand shakes.
+
+  $ press plus; press plus; press minus
+  $ press v
+  $ nearer () { said '^eye -3.2 0 0   lookAt 0 0 0$'; }
+  $ until_ok nearer
+  $ press 0
+  $ press x
+  $ until_ok is_picture mirror.rgb
+  $ drag 60 45 62 47
+  $ until_ok said 'pixel (60, 45)'
+  $ press c
+  $ press minus
+  $ press s
+  $ until_ok told wrote
+  $ echo 'eye 0 0 -5' | cat - mirror.scene > farther.scene
+  $ raylab render farther.scene -q -o farther.bmp && cmp mirror.bmp farther.bmp
+  $ press q
+  $ ended
+  $ grep wrote err
   raylab: wrote mirror.bmp
 
 Every way of closing
