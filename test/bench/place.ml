@@ -7,4 +7,4 @@ let beside path = List.fold_left Filename.concat here path
 let up = Filename.parent_dir_name
 let raylab = beside [ up; up; "bin"; "main.exe" ]
 let first_scene = beside [ up; up; "scenes"; "first.scene" ]
-let sphereflake = beside [ "sphereflake.scene" ]
+let sphereflake = beside [ up; up; "scenes"; "sphereflake.scene" ]

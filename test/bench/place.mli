@@ -7,4 +7,4 @@ val first_scene : string
 (** [first_scene] is the path of the gallery's first scene. *)
 
 val sphereflake : string
-(** [sphereflake] is the path of the scene that [sphereflake.ml] prints. *)
+(** [sphereflake] is the path of the gallery's [sphereflake.scene]. *)

@@ -133,10 +133,9 @@ let all =
         ]
       ~tree:[ "emitted rgb 0 0.01 0.007"; "mirrored rgb 0 0.125019 0.0875132" ];
     ask "facing-mirrors" 410 291 "What is that light spot deep in the tunnel?"
-      ~summary:
-        [ "the light grey sphere (object 26, line 52), lit by lights 1 and 2" ]
+      ~summary:[ "the light grey sphere (object 26, line 33" ]
       ~tree:
-        [ "rgb 1.01478 0.964039 0.862561"; "rgb 0.656552 0.674154 0.59337" ];
+        [ "rgb 1.01786 0.966965 0.865179"; "rgb 0.658544 0.676047 0.595063" ];
     ask "fall-off" 770 230 "Light 1 reaches this place. Why is it black?"
       ~summary:
         [
@@ -203,10 +202,10 @@ let all =
     ask "lanterns" 480 300 "What is the purple spot on the mirrored ball?"
       ~summary:
         [
-          "a 95 % mirror (sphere 2, line 19) that shows the luminous purple \
-           sphere (object 31, line 51)";
+          "a 95 % mirror (sphere 2, line 32) that shows the luminous purple \
+           sphere (object 31, line 16";
         ]
-      ~tree:[ "t = 0.812512"; "mirrored rgb 0.7125 0.2375 0.95" ];
+      ~tree:[ "t = 0.81295"; "mirrored rgb 0.7125 0.2375 0.95" ];
     ask "billiards" 310 350 "Why is the white ball grey?"
       ~summary:
         [
@@ -217,8 +216,9 @@ let all =
         ]
       ~tree:[ "cosine 0.095626"; "fall-off 0.0427036"; "cosine -0.117043" ];
     ask "ringed-planet" 560 300 "What is this grain, one of thousands?"
-      ~summary:[ "sphere (object 4642, line 4669)"; "lit by lights 1 and 2" ]
-      ~tree:[ "t = 11.1317"; "rgb 0.489185 0.387581 0.274681" ];
+      ~summary:
+        [ "a beige sphere (object 4268, line 54"; "lit by lights 1 and 2" ]
+      ~tree:[ "t = 11.1907"; "rgb 0.581541 0.464221 0.32803" ];
     ask_smooth "first" 320 239
       "Why is the last row of the sky sky, and no mixture?"
       ~summary:[ "rgb 76 107 178"; "all 4 samples see the blue background" ]

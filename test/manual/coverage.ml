@@ -1,9 +1,11 @@
 (* coverage PAGE: every word of the scene language is in PAGE, a keyword in a
-   heading; the words over a picture stand in the scene that it shows; every
-   picture is shown; and what is called the same scene in other words is. *)
+   heading, a function with its parameters and what it is; the words over a
+   picture stand in the scene that it shows; every picture is shown; and what is
+   called the same scene in other words is. *)
 
 open Raylab_scene
 open Raylab_language
+open Raylab_expression
 
 let contains text part =
   let length = String.length part in
@@ -33,13 +35,31 @@ let check_words lines =
       "the page has no %s" quoted
   in
   List.iter check Keyword.all;
-  let has_function f =
-    let quoted = Printf.sprintf "`%s`" (Raylab_expression.Builtin.usage f) in
+  let has_constant (name, _, _) =
+    let quoted = Printf.sprintf "`%s`" name in
     require
       (List.exists (fun line -> contains line quoted) lines)
       "the page has no %s" quoted
   in
-  List.iter has_function Raylab_expression.Builtin.all
+  List.iter has_constant Builtin.constants
+
+(* The rows of the table whose first column has this title. *)
+let rec table title = function
+  | head :: _ :: rows when String.starts_with ~prefix:("| " ^ title) head ->
+      let is_row = String.starts_with ~prefix:"|" in
+      List.of_seq (Seq.take_while is_row (List.to_seq rows))
+  | _ :: rest -> table title rest
+  | [] -> []
+
+let check_functions lines =
+  let row f = Printf.sprintf "| `%s` | %s |" (Builtin.usage f) f.Builtin.doc in
+  let rows = table "function" lines and wanted = List.map row Builtin.all in
+  List.iter
+    (fun row -> require (List.mem row rows) "the page has no row %s" row)
+    wanted;
+  List.iter
+    (fun row -> require (List.mem row wanted) "no function is: %s" row)
+    rows
 
 (* Line ends and blanks only separate words. *)
 let normal text =
@@ -92,6 +112,7 @@ let () =
   let dir = Filename.dirname path in
   let lines = In_channel.with_open_bin path In_channel.input_lines in
   check_words lines;
+  check_functions lines;
   check_tables dir lines;
   check_same dir "scene" "words";
   List.iter (check_used (String.concat "\n" lines)) lines;
