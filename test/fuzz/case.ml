@@ -223,6 +223,8 @@ let kinds ~gallery =
     ("words", words);
     ("scene", scene);
     ("damaged scene", damaged scene);
+    ("program", Random_program.scene);
+    ("damaged program", damaged Random_program.scene);
   ]
   @
   if gallery = [||] then []

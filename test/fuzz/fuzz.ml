@@ -105,6 +105,22 @@ let try_very_large () =
   in
   List.iter try_one Large.texts
 
+(* {1 Programs that ask for too much} *)
+
+(* 20 million elements of a list or objects, and what the collector leaves. *)
+let most_bytes_held = 3_000_000_000
+
+let try_greedy texts =
+  let try_one (name, text) =
+    Option.iter (fail name) (Oracle.complaint_unless_error text);
+    Gc.compact ()
+  in
+  List.iter try_one texts;
+  let held = (Gc.quick_stat ()).top_heap_words * (Sys.word_size / 8) in
+  if held > most_bytes_held then
+    fail "greedy programs" (Printf.sprintf "they take %d bytes" held);
+  Printf.printf "%d greedy programs\n%!" (List.length texts)
+
 let () =
   Arg.parse (Arg.align options)
     (fun word -> raise (Arg.Bad ("what is " ^ word ^ "?")))
@@ -114,6 +130,7 @@ let () =
     print_endline text;
     try_case !only)
   else (
+    try_greedy (if !long then Greedy.texts @ Greedy.slow else Greedy.texts);
     try_all ();
     try_large 100_000;
     if !long then try_very_large ());

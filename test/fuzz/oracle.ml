@@ -92,11 +92,19 @@ let complaint_of_scene scene =
       Some "the printed scene is another"
   | Ok _ -> complaint_of_picture scene
 
-let complaint text =
-  match
-    match parse text with
-    | Error errors -> complaint_of_errors text errors
-    | Ok scene -> complaint_of_scene scene
-  with
+let whatever_happens f =
+  match f () with
   | complaint -> complaint
   | exception failure -> Some (Printexc.to_string failure)
+
+let complaint text =
+  whatever_happens (fun () ->
+      match parse text with
+      | Error errors -> complaint_of_errors text errors
+      | Ok scene -> complaint_of_scene scene)
+
+let complaint_unless_error text =
+  whatever_happens (fun () ->
+      match parse text with
+      | Error errors -> complaint_of_errors text errors
+      | Ok _ -> Some "it is no error")

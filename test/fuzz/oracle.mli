@@ -11,3 +11,7 @@ val complaint : string -> string option
       explanation, whose colour is the pixel's.
 
     An exception is a complaint too. *)
+
+val complaint_unless_error : string -> string option
+(** [complaint_unless_error text] is {!complaint}[ text]; that it is a scene is
+    wrong, too. *)

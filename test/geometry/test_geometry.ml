@@ -10,6 +10,7 @@ let () =
       Test_spot.suite;
       Test_crossings.suite;
       Test_offset.suite;
+      Test_similarity.suite;
       Test_sphere.suite;
       Test_sphere_precision.suite;
       Test_plane.suite;

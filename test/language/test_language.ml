@@ -16,6 +16,8 @@ let () =
       Test_program_errors.suite;
       Test_program.suite;
       Test_provenance.suite;
+      Test_printed_expression.suite;
+      Test_random_program.suite;
       Test_expectation.suite;
       Test_second_file.suite;
       Test_include.suite;

@@ -5,6 +5,33 @@ let show (token : Parser.token) =
   | NUMBER x -> Printf.sprintf "%g" x
   | COLOR c -> Format.asprintf "%a" Raylab_scene.Color.pp c
   | WORD w -> Printf.sprintf "<%s>" w
+  | NAME n -> "name " ^ n
+  | CALL n -> Printf.sprintf "call %s(" n
+  | STRING s -> Printf.sprintf "%S" s
+  | PART c -> Printf.sprintf ".%c" c
+  | LPAREN -> "("
+  | RPAREN -> ")"
+  | LBRACKET -> "["
+  | RBRACKET -> "]"
+  | COMMA -> ","
+  | COLON -> ":"
+  | PLUS -> "+"
+  | MINUS -> "-"
+  | TIMES -> "*"
+  | DIVIDE -> "/"
+  | POWER -> "^"
+  | EQUAL -> "="
+  | DIFFERENT -> "<>"
+  | LESS -> "<"
+  | LESS_EQUAL -> "<="
+  | GREATER -> ">"
+  | GREATER_EQUAL -> ">="
+  | THEN -> "then"
+  | AND -> "and"
+  | OR -> "or"
+  | NOT -> "not"
+  | TRUE -> "true"
+  | FALSE -> "false"
   | EOF -> "end"
   | keyword -> (
       match List.find_opt (fun (_, t) -> t = keyword) Keyword.all with
@@ -89,6 +116,79 @@ let test_bytes () =
   check "\xc3\xa9" [ "<\xc3\xa9>" ];
   check "\xef\xbb\xbf1" [ "<\xef\xbb\xbf1>" ]
 
+(* {1 In brackets} *)
+
+let test_operators () =
+  check "(1-2)" [ "("; "1"; "-"; "2"; ")" ];
+  check "-1 (-1) -1" [ "-1"; "("; "-"; "1"; ")"; "-1" ];
+  check "(a<=b<>c<d>=e>f)"
+    [ "("; "name a"; "<="; "name b"; "<>"; "name c"; "<"; "name d"; ">=";
+      "name e"; ">"; "name f"; ")" ];
+  check "(1e3+.5^2/x*3)"
+    [ "("; "1000"; "+"; "0.5"; "^"; "2"; "/"; "name x"; "*"; "3"; ")" ];
+  check "(a == b != c)"
+    [ "("; "name a"; "<==>"; "name b"; "<!=>"; "name c"; ")" ];
+  check "(v.X v.g f(1).z v.w)"
+    [ "("; "name v"; ".x"; "name v"; ".g"; "call f("; "1"; ")"; ".z"; "name v";
+      "<.w>"; ")" ];
+  check "[1,2]" [ "["; "1"; ","; "2"; "]" ];
+  check "(1 ! 2)" [ "("; "1"; "<!>"; "2"; ")" ];
+  check "(\"a # b\" \"c" [ "("; "\"a # b\""; "<\">"; "name c" ]
+[@@ocamlformat "disable"]
+
+(* Inside, only what is reserved is a word. *)
+let test_words_inside () =
+  check "sphere (sphere) red (red)"
+    [ "sphere"; "("; "name sphere"; ")"; "rgb 1 0 0"; "("; "name red"; ")" ];
+  check "(if a THEN b else c)"
+    [ "("; "if"; "name a"; "then"; "name b"; "else"; "name c"; ")" ];
+  check "and (and or not true)" [ "<and>"; "("; "and"; "or"; "not"; "true"; ")" ];
+  check "if(1)" [ "if"; "("; "1"; ")" ];
+  check "(if(1))" [ "("; "if"; "("; "1"; ")"; ")" ]
+[@@ocamlformat "disable"]
+
+let test_modes () =
+  check "(1-2) 1-2" [ "("; "1"; "-"; "2"; ")"; "<1-2>" ];
+  check "((1)-2)" [ "("; "("; "1"; ")"; "-"; "2"; ")" ];
+  check "[(1)-2]-2" [ "["; "("; "1"; ")"; "-"; "2"; "]"; "-2" ];
+  check ") -1" [ ")"; "-1" ];
+  check "(1 # )\n-2)" [ "("; "1"; "-"; "2"; ")" ];
+  check "(1\r\n-2)" [ "("; "1"; "-"; "2"; ")" ]
+
+(* A word that is introduced is a name until the end of its block. *)
+let test_names () =
+  check "let red = 1 red" [ "let"; "name red"; "="; "1"; "name red" ];
+  check "red let red = 1" [ "rgb 1 0 0"; "let"; "name red"; "="; "1" ];
+  check "group let red = 1 RED end red"
+    [ "group"; "let"; "name red"; "="; "1"; "name RED"; "end"; "rgb 1 0 0" ];
+  check "let f(sphere, plane: 2) = sphere plane"
+    [ "let"; "call f("; "name sphere"; ","; "name plane"; ":"; "2"; ")"; "=";
+      "name sphere"; "name plane" ];
+  check "let f(a) = f(1) f (1)"
+    [ "let"; "call f("; "name a"; ")"; "="; "call f("; "1"; ")"; "name f"; "(";
+      "1"; ")" ];
+  check "sphere(1)" [ "sphere"; "("; "1"; ")" ];
+  check "let end" [ "let"; "end" ]
+[@@ocamlformat "disable"]
+
+let test_depth () =
+  let deep word n =
+    let lexbuf = Lexing.from_string (String.concat " " (List.init n word)) in
+    let words = Lexer.start () in
+    let rec read () = if Lexer.token words lexbuf <> Parser.EOF then read () in
+    read ();
+    Lexer.too_deep words <> None
+  in
+  let check what expected found = Alcotest.(check bool) what expected found in
+  List.iter
+    (fun word ->
+      check word false (deep (fun _ -> word) 1000);
+      check word true (deep (fun _ -> word) 1001))
+    [ "("; "["; "group"; "if"; "for" ];
+  let sum = function 0 -> "(" | _ -> "+" in
+  check "operators" false (deep sum 1001);
+  check "operators" true (deep sum 1002)
+
 let suite =
   ( "Lexer",
     [
@@ -98,4 +198,9 @@ let suite =
       Alcotest.test_case "comments" `Quick test_comments;
       Alcotest.test_case "words" `Quick test_words;
       Alcotest.test_case "any bytes" `Quick test_bytes;
+      Alcotest.test_case "operators" `Quick test_operators;
+      Alcotest.test_case "words in brackets" `Quick test_words_inside;
+      Alcotest.test_case "in and out of brackets" `Quick test_modes;
+      Alcotest.test_case "names" `Quick test_names;
+      Alcotest.test_case "depth" `Quick test_depth;
     ] )

@@ -131,6 +131,10 @@ let rules =
     check "stretched out of the range of numbers"
       {|sphere 0 0 6 1 reflective stretched 1e300 1 1 translated 1 0 0 stretched 1e300 1 1
 ^^^^^^^^^^^^^^ its modifiers leave the range of numbers|};
+    check "empty groups in empty groups"
+      {|let twice(n) = group if (n > 0) let x = twice(n - 1) x x end end
+twice(900)
+^^^^^^^^^^ the evaluation takes more than 100,000,000 steps|};
     check "scaled by nothing"
       {|sphere 0 0 6 1 reflective scaled 0
                                  ^ the factor must be greater than 0, not 0|};
