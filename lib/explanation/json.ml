@@ -209,7 +209,7 @@ let of_film { Film.samples; exposure; srgb } =
       ("srgb", `Bool srgb);
     ]
 
-let of_neighbour { Sampler.x; y; color = c } =
+let of_neighbour { Centres.x; y; color = c } =
   `Assoc [ ("x", int x); ("y", int y); ("color", color c) ]
 
 let of_pixel (pixel : Explain.pixel) =

@@ -175,7 +175,7 @@ type pixel = {
   y : int;
   film : Film.t;
   samples : sample list;
-  cause : Sampler.neighbour option;
+  cause : Centres.neighbour option;
   color : Color.t;
 }
 

@@ -106,7 +106,7 @@ type pixel = {
   y : int;  (** from the top *)
   film : Film.t;  (** of the scene *)
   samples : sample list;  (** at least one, and the first through the centre *)
-  cause : Sampler.neighbour option;
+  cause : Centres.neighbour option;
       (** the pixel beside it because of which it has several samples *)
   color : Color.t;
       (** the mean of the samples: their sum, added from the left, divided by

@@ -30,7 +30,7 @@ let coarse_to_smooth = coarse ~last:2
 (* {1 Tiles} *)
 
 let side { step; is_smooth; _ } =
-  if is_smooth then Sampler.largest_side else Int.max Tile.side (2 * step)
+  if is_smooth then Centres.largest_side else Int.max Tile.side (2 * step)
 
 let count pass = Tile.count ~side:(side pass)
 let nth pass = Tile.nth ~side:(side pass)

@@ -1,10 +1,10 @@
 (** The samples of pixels: how many one takes, and their mean.
 
     A pixel takes its centre. If that, as shown, differs by more than
-    {!threshold} in a channel from the centre of one of the eight pixels around
-    it in the picture, it takes 4 samples; then, while any two of those taken
-    differ so, as many again, up to the film's samples in all. So it depends on
-    the scene alone, and not on what else is rendered. *)
+    {!Centres.threshold} in a channel from the centre of one of the eight
+    pixels around it in the picture, it takes 4 samples; then, while any two of
+    those taken differ so, as many again, up to the film's samples in all. So
+    it depends on the scene alone, and not on what else is rendered. *)
 
 open Raylab_scene
 
@@ -17,19 +17,13 @@ val create : Prepared.t -> t
 val tally : t -> Tally.t
 (** [tally t] is what [t] has done so far. *)
 
-val threshold : float
-(** [threshold] is 1/32. *)
-
 (** {1 Pixels} *)
-
-val largest_side : int
-(** [largest_side] is 32. *)
 
 val prepare : ?stop:(unit -> bool) -> t -> Tile.t -> unit
 (** [prepare t tile] traces the centres of the pixels of [tile], which counts
     from the top of the whole picture, and of those around it, if there are
-    several samples. [tile] is at most {!largest_side} wide and high. It ends
-    early, in vain, when [stop ()]. *)
+    several samples. [tile] is at most {!Centres.largest_side} wide and high.
+    It ends early, in vain, when [stop ()]. *)
 
 val pixel : t -> x:int -> y:int -> Color.t
 (** [pixel t ~x ~y] is the colour of pixel [(x, y)], which is in the tile that
@@ -47,14 +41,7 @@ val lone_pixel : t -> x:int -> y:int -> Color.t
 
 (** {1 Why there were several} *)
 
-type neighbour = {
-  x : int;
-  y : int;
-  color : Color.t;  (** its centre, exposed *)
-}
-(** The type for pixels beside a pixel. *)
-
-val cause : t -> x:int -> y:int -> neighbour option
+val cause : t -> x:int -> y:int -> Centres.neighbour option
 (** [cause t ~x ~y] is the pixel beside [(x, y)], which is in the prepared
     tile, whose centre differs most from its centre, as shown; [None] if none
-    differs by more than {!threshold}. *)
+    differs by more than {!Centres.threshold}. *)

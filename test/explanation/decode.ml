@@ -148,7 +148,7 @@ let film json =
     ~srgb:(bool (get "srgb"))
     ()
 
-let neighbour json : Sampler.neighbour =
+let neighbour json : Centres.neighbour =
   let get = members [ "x"; "y"; "color" ] json in
   { x = int (get "x"); y = int (get "y"); color = color (get "color") }
 
