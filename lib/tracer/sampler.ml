@@ -98,7 +98,7 @@ let some t ~x ~y =
      else over);
   mean t
 
-let pixel t = if t.film.samples = 1 then only t else some t
+let pixel t ~x ~y = if t.film.samples = 1 then only t ~x ~y else some t ~x ~y
 let taken t = t.taken
 
 let lone_pixel t ~x ~y =
