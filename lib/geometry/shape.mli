@@ -63,8 +63,8 @@ val quad : corner:Vec3.t -> edge:Vec3.t -> other:Vec3.t -> t
 val transformed : ?keep_own:bool -> Change.t -> t -> t
 (** [transformed ~keep_own change shape] is [shape] as [change] puts it. It
     stays of its kind if it can, so that its numbers are those of its new
-    place; else, or with [keep_own], it is {!Placed}, and keeps its own
-    coordinates.
+    place; else, or with [keep_own], it is {!constructor-Placed}, and keeps its
+    own coordinates.
 
     Raises [Invalid_argument] where a number is no longer what it must be. *)
 
@@ -119,7 +119,7 @@ val depth : t -> Vec3.t -> float
 
 val name : t -> string
 (** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. A
-    {!Placed} one has the name of what it was. *)
+    {!constructor-Placed} one has the name of what it was. *)
 
 val part : t -> int -> string option
 (** [part shape k] is what its part [k] is called, such as ["top"]; [None] if
@@ -127,11 +127,12 @@ val part : t -> int -> string option
 
 val parameters : t -> (string * Parameter.t) list
 (** [parameters shape] is what the scene language writes after {!name}, in that
-    order, each with its name; of a {!Placed} one in its own coordinates. *)
+    order, each with its name; of a {!constructor-Placed} one in its own
+    coordinates. *)
 
 val modifiers : t -> Change.modifier list
 (** [modifiers shape] is what the scene language writes after the surface: what
-    has brought a {!Placed} shape to its place. *)
+    has brought a {!constructor-Placed} shape to its place. *)
 
 val outline : t -> Outline.t
 (** [outline shape] is how [shape] is drawn and spoken of. *)

@@ -7,7 +7,7 @@ type severity = Error | Warning
 
 type t = {
   severity : severity;
-  file : string;  (** {!Printable} *)
+  file : string;  (** {!Raylab_source.Printable} *)
   place : Sources.place option;  (** [None]: the file as a whole *)
   message : string;  (** in one line *)
   remedy : string;  (** what to do, or [""] *)

@@ -43,7 +43,8 @@ val findings : reading -> Warning.t list
     if it is right, in the scene; see {!Raylab_scene.Scene.findings}. *)
 
 val provenance : reading -> Origin.t -> Provenance.t option
-(** [provenance reading] is {!Provenance.make} of the files of [reading]. *)
+(** [provenance reading] is {!Raylab_scene.Provenance.make} of the files of
+    [reading]. *)
 
 val warnings : reading -> string list
 (** [warnings reading] is the {!findings}, a sentence each, with their places.

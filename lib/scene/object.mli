@@ -10,8 +10,8 @@ val make : ?origin:Origin.t -> Shape.t -> Surface.t -> t
     origin is by default unknown. *)
 
 val transformed : Change.t -> t -> t
-(** [transformed change o] is [o] where {!Shape.transformed} puts it. Its shape
-    keeps its own coordinates if its surface varies in them.
+(** [transformed change o] is [o] where {!Raylab_geometry.Shape.transformed}
+    puts it. Its shape keeps its own coordinates if its surface varies in them.
 
     Raises [Invalid_argument] likewise. *)
 

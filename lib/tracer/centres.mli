@@ -24,7 +24,8 @@ val color : t -> x:int -> y:int -> Color.t
 (** [color t ~x ~y] is the centre of pixel [(x, y)], exposed. *)
 
 val is_over_exposed : t -> x:int -> y:int -> bool
-(** [is_over_exposed t ~x ~y] is whether it is; see {!Film.over_exposed}. *)
+(** [is_over_exposed t ~x ~y] is whether it is; see
+    {!Raylab_scene.Film.over_exposed}. *)
 
 (** {1 Differences} *)
 

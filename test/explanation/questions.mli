@@ -8,9 +8,11 @@
     green.
 
     Those about edges, blur and over-exposure were answered by the area that
-    each thing has in the pixel, likewise by other means. Three of them were
-    put right: where a thing has a sixth of the pixel, the first four samples
-    may all miss it; and black beside black takes one sample. *)
+    each thing has in the pixel, likewise by other means. Not all of those
+    stood: where a thing has a sixth of the pixel, the first four samples may
+    all miss it, and black beside black takes one sample; such pixels or
+    answers were changed once that was seen, and those of [berries] were chosen
+    from its picture. *)
 
 type t = {
   scene : string;  (** the file in [scenes/], without [.scene] *)
