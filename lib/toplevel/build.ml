@@ -15,6 +15,24 @@ let blue = Color.blue
 let cyan = Color.cyan
 let magenta = Color.magenta
 let yellow = Color.yellow
+let named name = List.assoc name Color.names
+let grey = named "grey"
+let orange = named "orange"
+let brown = named "brown"
+let pink = named "pink"
+let purple = named "purple"
+let gold = named "gold"
+let silver = named "silver"
+
+let hsv h s v =
+  let { Vec3.x; y; z } = Raylab_expression.Hsv.color ~h ~s ~v in
+  rgb x y z
+
+let random = Raylab_expression.Hash.random
+let noise { Vec3.x; y; z } = Raylab_expression.Noise.noise x y z
+
+let turbulence { Vec3.x; y; z } octaves =
+  Raylab_expression.Noise.turbulence x y z octaves
 
 let directional intensity color direction =
   Light.directional ~intensity ~color ~direction

@@ -36,6 +36,33 @@ val blue : Color.t
 val cyan : Color.t
 val magenta : Color.t
 val yellow : Color.t
+val grey : Color.t
+val orange : Color.t
+val brown : Color.t
+val pink : Color.t
+val purple : Color.t
+val gold : Color.t
+val silver : Color.t
+
+val hsv : float -> float -> float -> Color.t
+(** [hsv h s v] is the colour of the hue at [h] degrees, red at 0 and green at
+    120, of saturation [s] and value [v]; see {!Raylab_expression.Hsv}. *)
+
+(** {1 Numbers}
+
+    Whatever else the scene language computes, OCaml does, too. Angles in
+    degrees are {!Raylab_expression.Degrees}. *)
+
+val random : float -> float
+(** [random k] is a fixed number from 0 to 1, exclusive, for each [k]: that of
+    the scene language. *)
+
+val noise : Vec3.t -> float
+(** [noise point] is smooth noise, from -1 to 1; see
+    {!Raylab_expression.Noise}. *)
+
+val turbulence : Vec3.t -> int -> float
+(** [turbulence point octaves] is the sum of ever finer noises. *)
 
 (** {1 Lights} *)
 

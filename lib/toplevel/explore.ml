@@ -26,9 +26,10 @@ let words =
 
 let building =
   {|
-Scenes are built with vec, rgb, red ... white, directional, spherical, sphere,
-plane, box, cylinder, cone, torus, disc, triangle, quad, diffusive, reflective,
-luminous and mixed, as in a scene file:
+Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
+sphere, plane, box, cylinder, cone, torus, disc, triangle, quad, diffusive,
+reflective, luminous and mixed, as in a scene file; random, noise and turbulence
+are its numbers:
 
 use (Scene.make camera
        ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]

@@ -1,3 +1,5 @@
 let () =
   Alcotest.run "toplevel"
-    [ Test_walk.suite; Test_native.suite; Test_printing.suite ]
+    [
+      Test_build.suite; Test_walk.suite; Test_native.suite; Test_printing.suite;
+    ]
