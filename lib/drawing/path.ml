@@ -18,7 +18,12 @@ type hit = { number : int; point : Vec3.t; color : Color.t }
 type t = { rays : ray list; hits : hit list }
 
 let pf = Printf.sprintf
-let name (o : Object.t) number = pf "%s %d" (Shape.name o.shape) number
+
+let name ?primitive (o : Object.t) number =
+  match (primitive : Explain.primitive option) with
+  | None -> pf "%s %d" (Shape.name o.shape) number
+  | Some { index; object_; _ } ->
+      pf "%s %d.%d" (Shape.name object_.shape) number index
 
 let shadow_ray number { Explain.number = light; verdict; _ } =
   match verdict with
@@ -30,8 +35,8 @@ let shadow_ray number { Explain.number = light; verdict; _ } =
       in
       let meets = None and light = Some light in
       Some { kind = Lit; number; ray; length; meets; light; words }
-  | Blocked { shadow_ray = ray; by; blocker; t = length; _ } ->
-      let words = "blocked by " ^ name blocker by in
+  | Blocked { shadow_ray = ray; by; blocker; primitive; t = length; _ } ->
+      let words = "blocked by " ^ name ?primitive blocker by in
       let meets = Some by and light = Some light in
       Some { kind = Blocked; number; ray; length; meets; light; words }
 
@@ -45,10 +50,11 @@ let chain_ray number (e : Explain.t) =
   match e.outcome with
   | Missed -> endless kind "to the background"
   | Chain_ended -> endless Unfollowed "the chain has ended"
-  | Hit { hit; object_; _ } ->
+  | Hit { hit; object_; primitive; _ } ->
       let words =
-        Format.asprintf "to %s, t = %a" (name object_ hit.number) Number.pp
-          hit.t
+        Format.asprintf "to %s, t = %a"
+          (name ?primitive object_ hit.number)
+          Number.pp hit.t
       in
       { (endless kind words) with length = hit.t; meets = Some hit.number }
 

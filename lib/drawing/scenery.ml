@@ -87,9 +87,13 @@ let objects (panel : Panel.t) (scene : Scene.t) path =
   let items = chosen panel met scene in
   let draw item =
     let s = { Silhouette.fill = fill item.object_; is_met = item.is_met } in
-    Shape.outline item.object_.shape
-    |> Silhouette.draw panel s ~level:(level item.number)
-    |> Option.map (fun (marks, place) -> (item, marks, place))
+    match
+      Shape.outline item.object_.shape
+      |> Silhouette.draw panel s ~level:(level item.number)
+    with
+    | [] -> None
+    | (_, place) :: _ as pieces ->
+        Some (item, List.concat_map fst pieces, place)
   in
   let drawn = List.filter_map draw items in
   let names (item, _, place) =

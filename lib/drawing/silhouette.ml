@@ -97,10 +97,11 @@ let body panel s pieces =
     let draw = match hulls with [ _ ] -> polygon s | _ -> piece s in
     Some (List.map draw hulls, label_place places)
 
-let draw panel s ~level : Outline.t -> _ = function
-  | Ball sphere -> Some ([ ball panel s sphere ], ball_place panel sphere)
+let rec draw panel s ~level : Outline.t -> _ = function
+  | Ball sphere -> [ ([ ball panel s sphere ], ball_place panel sphere) ]
   | Endless plane ->
       let cut ends = ([ cut s ends ], cut_place ends) in
-      Option.map cut (trace panel plane level)
-  | Patch corners -> patch panel s corners
-  | Body pieces -> body panel s pieces
+      Option.to_list (Option.map cut (trace panel plane level))
+  | Patch corners -> Option.to_list (patch panel s corners)
+  | Body pieces -> Option.to_list (body panel s pieces)
+  | Several outlines -> List.concat_map (draw panel s ~level) outlines

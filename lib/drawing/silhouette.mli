@@ -13,9 +13,9 @@ val draw :
   t ->
   level:float ->
   Outline.t ->
-  (Drawing.mark list * Drawing.point) option
-(** [draw panel s ~level outline] is the drawing of [outline] and the place
-    where its label belongs. A ball is a circle, a piece of a plane or of a
-    body a polygon; a plane without end is the line in which it cuts the plane
-    of the panel at [level]. [None] if nothing of it can be drawn in the panel.
-*)
+  (Drawing.mark list * Drawing.point) list
+(** [draw panel s ~level outline] is the drawing of each piece of [outline] and
+    the place where its label belongs. A ball is a circle, a piece of a plane
+    or of a body a polygon; a plane without end is the line in which it cuts
+    the plane of the panel at [level]. Nothing if nothing of it can be drawn in
+    the panel. *)

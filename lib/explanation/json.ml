@@ -92,12 +92,38 @@ let place = function
       line (Some place) @ [ ("made", `List (List.map step steps)) ]
 
 (* {1 Things} *)
+let plain (o : Object.t) =
+  [ ("shape", shape o.shape); ("surface", surface o.surface) ]
+  @ modifiers o.shape
+
+let rec parts (o : Object.t) : int Solid.tree -> Yojson.Safe.t = function
+  | Member m -> `Assoc (("primitive", int (m + 1)) :: plain o.primitives.(m))
+  | Combined (operation, items) ->
+      `Assoc
+        [
+          ("kind", text (Solid.word operation));
+          ("parts", `List (List.map (parts o) items));
+        ]
 
 let object_ n (o : Object.t) at : Yojson.Safe.t =
-  `Assoc
-    ((("number", int n) :: place at)
-    @ [ ("shape", shape o.shape); ("surface", surface o.surface) ]
-    @ modifiers o.shape)
+  let made_of =
+    match o.shape with
+    | Solid { tree; _ } -> [ ("solid", parts o tree) ]
+    | _ -> plain o
+  and shadowless =
+    if o.is_shadowless then [ ("shadowless", `Bool true) ] else []
+  in
+  `Assoc ((("number", int n) :: place at) @ made_of @ shadowless)
+
+let primitive = function
+  | None -> []
+  | Some { Explain.index; place = at; is_taken_away; _ } ->
+      [
+        ( "primitive",
+          `Assoc
+            ((("number", int index) :: place at)
+            @ [ ("taken_away", `Bool is_taken_away) ]) );
+      ]
 
 (* {1 Rays} *)
 
@@ -113,18 +139,22 @@ let ray_members ray =
 let shadow_ray ray =
   ("shadow_ray", optional (fun ray -> `Assoc (ray_members ray)) ray)
 
+let passed { Explain.number; object_ = o; place } =
+  ("past", object_ number o place)
+
 let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
   | Faces_away { cosine } ->
       [ ("verdict", text "faces away"); ("cosine", number cosine) ]
-  | Blocked { shadow_ray = ray; by; blocker; place; t; point } ->
+  | Blocked { shadow_ray = ray; by; blocker; primitive = p; place; t; point }
+    ->
       [
         ("verdict", text "blocked");
         shadow_ray (Some ray);
         ("by", object_ by blocker place);
-        ("t", number t);
-        ("point", vector point);
       ]
-  | Lit { shadow_ray = ray; cosine; falloff; contribution } ->
+      @ primitive p
+      @ [ ("t", number t); ("point", vector point) ]
+  | Lit { shadow_ray = ray; cosine; falloff; contribution; past } ->
       [
         ("verdict", text "lit");
         shadow_ray ray;
@@ -132,6 +162,7 @@ let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
         ("falloff", number falloff);
         ("contribution", color contribution);
       ]
+      @ Option.to_list (Option.map passed past)
 
 let light { Explain.number = n; light; place = at; verdict = v } :
     Yojson.Safe.t =
@@ -152,20 +183,21 @@ let light { Explain.number = n; light; place = at; verdict = v } :
 
 let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
   `Assoc
-    [
-      ("object", object_ h.hit.number h.object_ h.place);
-      ("t", number h.hit.t);
-      ("point", vector h.hit.point);
-      ("normal", direction h.hit.normal);
-      ("outside", `Bool h.hit.outside);
-      ("part", int h.hit.part);
-      ("own_point", vector h.hit.own_point);
-      ("offset", number h.hit.offset);
-      ("emission", color h.lobes.emission);
-      ("albedo", color h.lobes.albedo);
-      ("mirror", color h.lobes.mirror);
-      ("lights", `List (List.map light h.lights));
-    ]
+    (("object", object_ h.hit.number h.object_ h.place)
+     :: primitive h.primitive
+    @ [
+        ("t", number h.hit.t);
+        ("point", vector h.hit.point);
+        ("normal", direction h.hit.normal);
+        ("outside", `Bool h.hit.outside);
+        ("part", int h.hit.part);
+        ("own_point", vector h.hit.own_point);
+        ("offset", number h.hit.offset);
+        ("emission", color h.lobes.emission);
+        ("albedo", color h.lobes.albedo);
+        ("mirror", color h.lobes.mirror);
+        ("lights", `List (List.map light h.lights));
+      ])
 
 let rec of_ray (e : Explain.t) : Yojson.Safe.t =
   let outcome, hit =

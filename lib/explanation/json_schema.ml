@@ -30,6 +30,7 @@ TERM  = { "source": "background", "emitted", "diffused" or "mirrored",
                                           if the mirror is 0
 
 HIT   = { "object": OBJECT,
+          "primitive": PRIMITIVE,         if that is a solid
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
           "outside": BOOL,                whether that is the normal on the
                                           outside of the object
@@ -48,8 +49,19 @@ OBJECT  = { "number": INT, PLACE,
             "shape": { "kind": WORD, PART: NUMBER or VECTOR, ... },
             "surface": SURFACE,           as it is written
             "modifiers": [{ "kind": WORD, PART: NUMBER or VECTOR, ... },
-                          ...] }          if they have made it another kind
+                          ...],           if they have made it another kind
                                           of shape
+            "shadowless": true }          if no shadow ray meets it; of a
+                                          solid there is, instead of shape,
+                                          surface and modifiers,
+            "solid": SOLID
+
+SOLID   = { "kind": "union", "intersection" or "difference",
+            "parts": [SOLID, ...] }
+       or { "primitive": INT, "shape", "surface" and "modifiers" as above }
+
+PRIMITIVE = { "number": INT, PLACE,       which one of the solid
+              "taken_away": BOOL }        whether it cuts
 
 SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
        or { "kind": "mixed",
@@ -79,7 +91,10 @@ LIGHT   = { "number": INT, PLACE,
               or null                     if lit: the light is where it
                                           would start
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
-            "falloff": NUMBER, "contribution": COLOR }    if lit
+            "primitive": PRIMITIVE        if that is by a solid
+            "falloff": NUMBER, "contribution": COLOR      if lit
+            "past": OBJECT }              if lit: the first object in the
+                                          way that is shadowless
 
 PLACE   = LINE,                           where it is written
           "made": [STEP, ...]             if calls or rounds made it, or it

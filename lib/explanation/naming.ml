@@ -1,13 +1,14 @@
 open Raylab_geometry
 open Raylab_scene
+open Raylab_tracer
 
 let place = function
   | None -> ""
   | Some place -> ", " ^ Provenance.to_string place
 
-let by_number number (o : Object.t) place =
-  let name = Printf.sprintf "%s %d" (Shape.name o.shape) number in
-  match place with
+let name (o : Object.t) number = Shape.name o.shape ^ " " ^ number
+
+let at_place name = function
   | None -> name
   | Some place -> Printf.sprintf "%s (%s)" name (Provenance.to_string place)
 
@@ -15,6 +16,18 @@ let with_part shape part name =
   match Shape.part shape part with
   | None -> name
   | Some word -> Printf.sprintf "the %s of %s" word name
+
+let number_of number { Explain.index; _ } = Printf.sprintf "%d.%d" number index
+
+let by_number ?primitive number o place =
+  let whole = at_place (name o (string_of_int number)) place in
+  match primitive with
+  | None -> whole
+  | Some ({ Explain.object_; place; is_taken_away; _ } as primitive) ->
+      let part = at_place (name object_ (number_of number primitive)) place in
+      if is_taken_away then
+        Printf.sprintf "the inside of %s, cut by %s" whole part
+      else Printf.sprintf "%s of %s" part whole
 
 (* {1 Surfaces} *)
 
@@ -79,21 +92,38 @@ let luminous emission =
 let mirror part =
   if part = 1. then "mirror" else Words.percent part ^ " mirror"
 
-let by_look number (o : Object.t) whence =
-  let shape = Shape.name o.shape in
-  let lobes = Surface.lobes o.surface in
-  let paints = paints o.surface in
+(* How the name of a shape goes with its look, and how it stands by itself. *)
+let names ?primitive number (o : Object.t) whence =
+  match (primitive : Explain.primitive option) with
+  | None ->
+      ( Printf.sprintf "%s (object %d%s)" (Shape.name o.shape) number
+          (place whence),
+        Printf.sprintf "(%s %d%s)" (Shape.name o.shape) number (place whence)
+      )
+  | Some { is_taken_away = true; _ } ->
+      let name = by_number ?primitive number o whence in
+      let prefix = String.length "the " in
+      ( String.sub name prefix (String.length name - prefix),
+        Printf.sprintf "(%s)" name )
+  | Some ({ object_; place = at; _ } as primitive) ->
+      let whole = at_place (name o (string_of_int number)) whence in
+      let number = number_of number primitive in
+      ( Printf.sprintf "%s (object %s%s) of %s" (Shape.name object_.shape)
+          number (place at) whole,
+        Printf.sprintf "(%s) of %s" (name object_ number ^ place at) whole )
+
+let by_look ?primitive number (o : Object.t) surface whence =
+  let lobes = Surface.lobes surface in
+  let paints = paints surface in
   let glows = not (Color.equal lobes.emission Color.black) in
-  let with_shape look =
-    Printf.sprintf "%s %s (object %d%s)" look shape number (place whence)
-  and without_shape look =
-    Printf.sprintf "%s (%s %d%s)" look shape number (place whence)
-  in
+  let called, in_brackets = names ?primitive number o whence in
+  let with_shape look = look ^ " " ^ called
+  and without_shape look = look ^ " " ^ in_brackets in
   match (paints, Color.largest lobes.mirror, glows) with
   | [ { word; part = 1. } ], 0., false -> with_shape word
   | [], 0., true -> with_shape (luminous lobes.emission)
   | [], 0., false -> with_shape "black"
   | [], part, false -> without_shape (mirror part)
-  | paints, _, _ -> without_shape (mix o.surface paints lobes)
+  | paints, _, _ -> without_shape (mix surface paints lobes)
 
 let background c = Color_word.of_color c ^ " background"

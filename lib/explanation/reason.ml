@@ -48,8 +48,9 @@ let faces_away (h : Explain.surface_hit) lights =
     | [] -> []
     | lights -> [ say (Words.lights (List.map fst lights)) ]
   in
-  match Shape.outline h.object_.shape with
-  | Ball _ | Body _ ->
+  let { Object.shape; _ } = Object.primitive h.object_ h.hit.primitive in
+  match Shape.outline shape with
+  | Ball _ | Body _ | Several _ ->
       clause (fun lights -> "facing away from " ^ lights) lights
   | Endless _ | Patch _ ->
       let behind, beside =
@@ -104,10 +105,12 @@ let clauses film e (h : Explain.surface_hit) =
 let rec describe film ~depth ~article (path : Explain.t list) =
   match path with
   | ({ outcome = Hit h; _ } as e) :: rest ->
-      let seen = { h.object_ with surface = h.surface } in
+      let { Object.shape; _ } = Object.primitive h.object_ h.hit.primitive in
       let look =
-        article (Naming.by_look h.hit.number seen h.place)
-        |> Naming.with_part seen.shape h.hit.part
+        article
+          (Naming.by_look ?primitive:h.primitive h.hit.number h.object_
+             h.surface h.place)
+        |> Naming.with_part shape h.hit.part
       in
       let clauses = clauses film e h in
       String.concat ", " (look :: clauses) ^ shows film ~depth h rest

@@ -24,6 +24,10 @@ let color { swatches; film } ppf c =
 
 (* {1 Lights} *)
 
+let pp_past ppf { Explain.number; object_; place } =
+  pf ppf "@ past %s,@ which is shadowless"
+    (Naming.by_number number object_ place)
+
 let print_light style ppf indent { Explain.number; light; place; verdict } =
   let line format =
     line ppf indent
@@ -31,15 +35,16 @@ let print_light style ppf indent { Explain.number; light; place; verdict } =
       number (Light.name light) (Naming.place place)
   in
   match verdict with
-  | Lit { cosine; falloff; contribution; _ } ->
-      line "lit,@ cosine %a@ * fall-off %a@ * intensity %a@ * %a@ = %a"
-        Number.pp cosine Number.pp falloff Number.pp light.intensity Color.pp
-        light.color (color style) contribution
+  | Lit { cosine; falloff; contribution; past; _ } ->
+      line "lit%a,@ cosine %a@ * fall-off %a@ * intensity %a@ * %a@ = %a"
+        (Format.pp_print_option pp_past)
+        past Number.pp cosine Number.pp falloff Number.pp light.intensity
+        Color.pp light.color (color style) contribution
   | Faces_away { cosine } ->
       line "the surface faces away,@ cosine %a" Number.pp cosine
-  | Blocked { by; blocker; place; t; point; _ } ->
+  | Blocked { by; blocker; primitive; place; t; point; _ } ->
       line "blocked by %s@ at t = %a,@ point %a"
-        (Naming.by_number by blocker place)
+        (Naming.by_number ?primitive by blocker place)
         Number.pp t Vec3.pp point
 
 let print_lights style ppf indent (h : Explain.surface_hit) all =
@@ -52,13 +57,13 @@ let print_lights style ppf indent (h : Explain.surface_hit) all =
 
 (* {1 Rays} *)
 
-let print_hit ppf indent { Explain.hit; object_; place; lobes; _ } =
+let print_hit ppf indent { Explain.hit; object_; primitive; place; lobes; _ } =
+  let { Object.shape; surface; _ } = Object.primitive object_ hit.primitive in
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
-    (Naming.by_number hit.number object_ place
-    |> Naming.with_part object_.shape hit.part)
+    (Naming.by_number ?primitive hit.number object_ place
+    |> Naming.with_part shape hit.part)
     Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
-  line ppf indent "surface: %a" text
-    (Format.asprintf "%a" Surface.pp object_.surface);
+  line ppf indent "surface: %a" text (Format.asprintf "%a" Surface.pp surface);
   line ppf indent "that is, %a" Lobes.pp lobes
 
 (* Of a term: its name, and how it came about. *)

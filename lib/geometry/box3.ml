@@ -29,6 +29,26 @@ let reach { low; high } =
   and half_z = (0.5 *. high.z) -. (0.5 *. low.z) in
   Float.max half_x (Float.max half_y half_z)
 
+let pairwise f (u : Vec3.t) (v : Vec3.t) =
+  Vec3.make (f u.x v.x) (f u.y v.y) (f u.z v.z)
+
+let union a b =
+  {
+    low = pairwise Float.min a.low b.low;
+    high = pairwise Float.max a.high b.high;
+  }
+
+let intersection a b =
+  let low = pairwise Float.max a.low b.low
+  and high = pairwise Float.min a.high b.high in
+  if low.x <= high.x && low.y <= high.y && low.z <= high.z then
+    Some { low; high }
+  else None
+
+let wider w { low; high } =
+  let way = Vec3.make w w w in
+  { low = Vec3.sub low way; high = Vec3.add high way }
+
 let equal a b = Vec3.equal a.low b.low && Vec3.equal a.high b.high
 
 let pp ppf { low; high } =

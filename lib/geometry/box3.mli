@@ -22,6 +22,16 @@ val centre : t -> Vec3.t
 val reach : t -> float
 (** [reach box] is half the length of its longest side. *)
 
+val union : t -> t -> t
+(** [union a b] is the smallest box that holds [a] and [b]. *)
+
+val intersection : t -> t -> t option
+(** [intersection a b] is what is in [a] and in [b]; [None] if that is nothing.
+*)
+
+val wider : float -> t -> t
+(** [wider w box] is [box], by [w] farther out on each side. *)
+
 val equal : t -> t -> bool
 (** [equal a b] is whether the corners are equal. *)
 

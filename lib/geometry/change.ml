@@ -56,15 +56,22 @@ let of_modifiers modifiers =
   }
 
 let identity = of_modifiers []
+let share change = ignore (Lazy.force change.affine : Affine.t)
 
 let compose second first =
+  let modifiers = first.modifiers @ second.modifiers in
   {
-    modifiers = first.modifiers @ second.modifiers;
+    modifiers;
     similarity =
       (match (second.similarity, first.similarity) with
       | Some second, Some first -> Some (Similarity.compose second first)
       | _ -> None);
-    affine = lazy (affine_before (Lazy.force second.affine) first.modifiers);
+    affine =
+      lazy
+        (* not one within the other: chains of changes may be long *)
+        (if Lazy.is_val second.affine then
+           affine_before (Lazy.force second.affine) first.modifiers
+         else affine_before Affine.identity modifiers);
   }
 
 let modifiers change = change.modifiers

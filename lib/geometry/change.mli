@@ -39,6 +39,10 @@ val affine : t -> Affine.t
 (** [affine change] is the modifiers of [change], composed from the last to the
     first: the same numbers for equal lists, however they were put together. *)
 
+val share : t -> unit
+(** [share change] works out its affine change now, for all that are composed
+    of [change] to take it from there. *)
+
 (** {1 What is written} *)
 
 val name : modifier -> string

@@ -1,7 +1,20 @@
-type t = { mutable number : int; mutable part : int; room : Crossings.t }
+type t = {
+  mutable number : int;
+  mutable part : int;
+  room : Crossings.t;
+  scratch : Scratch.t;
+}
 
 let none = -1
-let create () = { number = none; part = 0; room = Crossings.create () }
+
+let create () =
+  {
+    number = none;
+    part = 0;
+    room = Crossings.create ();
+    scratch = Scratch.create ();
+  }
+
 let[@inline] clear meeting = meeting.number <- none
 let[@inline] is_none meeting = meeting.number = none
 

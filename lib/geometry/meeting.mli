@@ -12,6 +12,7 @@ type t = {
   room : Crossings.t;
       (** where a shape may work out all its crossings to know the first of
           them *)
+  scratch : Scratch.t;  (** the same, for shapes that are put together *)
 }
 (** The type for meetings. How far away it is, is the reach of the ray. *)
 

@@ -8,6 +8,10 @@ val of_scale : float -> float
     the size of [scale]: [1e-5 * scale]. The original's offset is 1e-5, which
     suits lengths of a few units. *)
 
+val rounding : float
+(** [rounding] is 2^-44: so much of the numbers that go into a point its
+    rounding error is less than. *)
+
 val lift : usual:float -> Spot.t -> Raw_ray.t -> unit
 (** [lift ~usual spot ray] sets the offset of [spot], where the end of [ray]
     lies on a shape: [usual], or, if that is more, 2^-44 times the sum of the

@@ -3,3 +3,4 @@ type t =
   | Endless of Plane.t
   | Patch of Vec3.t list
   | Body of Vec3.t list list
+  | Several of t list

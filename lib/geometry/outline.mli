@@ -8,3 +8,4 @@ type t =
       (** flat: a convex piece of a plane, by its corners, all around *)
   | Body of Vec3.t list list
       (** solid: convex pieces of space, each by points that enclose it *)
+  | Several of t list  (** these together *)

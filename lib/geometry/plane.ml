@@ -37,6 +37,8 @@ let crossings ({ point; normal } as plane) (ray : Raw_ray.t) crossings =
   Crossings.clear crossings ~starts_inside;
   if is_met then Crossings.add crossings ~part:0 t
 
+let depth { point; normal } p = Vec3.dot (Vec3.sub point p) (normal :> Vec3.t)
+
 let settle { point = p; normal } ray (spot : Spot.t) =
   let n = (normal :> Vec3.t) in
   let x = Raw_ray.end_x ray

@@ -32,6 +32,10 @@ val settle : t -> Raw_ray.t -> Spot.t -> unit
 val crossings : t -> Raw_ray.t -> Crossings.t -> unit
 (** [crossings plane] is {!Shape.crossings_raw}: one or none. *)
 
+val depth : t -> Vec3.t -> float
+(** [depth plane point] is how far inside [point] is, away from the normal;
+    negative outside. *)
+
 val place : t -> float array
 (** [place plane] is numbers that say where [plane] is, to about nine digits:
     the same whichever of its points and normals it was made of. *)

@@ -9,6 +9,7 @@ type t =
   | Triangle of Triangle.t
   | Quad of Quad.t
   | Placed of t Placed.t
+  | Solid of t Solid.t
 
 let sphere ~centre ~radius = Sphere (Sphere.make ~centre ~radius)
 
@@ -77,7 +78,7 @@ let by_similarity change = function
            ~centre:(Similarity.point change centre)
            ~normal:(Similarity.direction change (normal :> Vec3.t))
            ~radius:(Similarity.factor change *. radius))
-  | Triangle _ | Quad _ | Placed _ -> None
+  | Triangle _ | Quad _ | Placed _ | Solid _ -> None
 
 (* What is mirrored keeps the side of its normal. *)
 let by_affine change = function
@@ -98,7 +99,8 @@ let by_affine change = function
         (if Affine.determinant affine < 0. then
            quad ~corner ~edge:other ~other:edge
          else quad ~corner ~edge ~other)
-  | Sphere _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _ | Placed _ ->
+  | Sphere _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _ | Placed _
+  | Solid _ ->
       None
 
 (* What stays of its kind. *)
@@ -125,6 +127,7 @@ let rec box = function
   | Triangle t -> Some (Box3.around (Triangle.corners t))
   | Quad q -> Some (Box3.around (Quad.corners q))
   | Placed p -> box_of_placed box p
+  | Solid s -> Solid.box box s
 
 let placed p =
   let is_finite { Box3.low; high } =
@@ -134,26 +137,42 @@ let placed p =
     invalid_arg "a shape that reaches beyond the range of numbers";
   Placed p
 
-let transformed ?(keep_own = false) change shape =
+let rec transformed ?(keep_own = false) change shape =
   match (shape, if keep_own then None else baked change shape) with
   | _, Some shape -> shape
   | Placed p, None -> placed (Placed.change change p)
+  | Solid s, None -> Solid (Solid.map (transformed ~keep_own change) s)
   | own, None -> placed (Placed.make change own)
 
-(* {1 What is hit} *)
+(* {1 Solids} *)
 
-let rec offer shape ray meeting ~number =
-  match shape with
-  | Sphere s -> Sphere.offer s ray meeting ~number
-  | Plane p -> Plane.offer p ray meeting ~number
-  | Box b -> Box.offer b ray meeting ~number
-  | Cylinder c -> Frustum.offer (c :> Frustum.t) ray meeting ~number
-  | Cone c -> Frustum.offer (c :> Frustum.t) ray meeting ~number
-  | Torus t -> Torus.offer t ray meeting ~number
-  | Disc d -> Disc.offer d ray meeting ~number
-  | Triangle t -> Triangle.offer t ray meeting ~number
-  | Quad q -> Quad.offer q ray meeting ~number
-  | Placed p -> Placed.offer offer p ray meeting ~number
+let rec is_solid = function
+  | Sphere _ | Plane _ | Box _ | Cylinder _ | Cone _ | Torus _ | Solid _ ->
+      true
+  | Disc _ | Triangle _ | Quad _ -> false
+  | Placed p -> is_solid p.own
+
+(* A solid among the members is a part of the whole. *)
+let rec spread : t Solid.tree -> t Solid.tree = function
+  | Member (Solid s) -> Solid.to_tree s
+  | Member _ as member -> member
+  | Combined (operation, parts) -> Combined (operation, List.map spread parts)
+
+let solid tree =
+  let solid = Solid.make (spread tree) in
+  match Array.find_opt (fun shape -> not (is_solid shape)) solid.members with
+  | Some _ -> invalid_arg "a solid of a shape that has no inside"
+  | None -> Solid solid
+
+let with_members members = function
+  | Solid s -> Solid (Solid.with_members members s)
+  | shape -> shape
+
+let with_tolerance tolerance = function
+  | Solid s -> Solid (Solid.with_tolerance tolerance s)
+  | shape -> shape
+
+(* {1 What is hit} *)
 
 let rec crossings_raw shape ray crossings =
   match shape with
@@ -167,6 +186,21 @@ let rec crossings_raw shape ray crossings =
   | Triangle t -> Triangle.crossings t ray crossings
   | Quad q -> Quad.crossings q ray crossings
   | Placed p -> Placed.crossings crossings_raw p ray crossings
+  | Solid s -> Solid.crossings crossings_raw s ray crossings
+
+let rec offer shape ray meeting ~number =
+  match shape with
+  | Sphere s -> Sphere.offer s ray meeting ~number
+  | Plane p -> Plane.offer p ray meeting ~number
+  | Box b -> Box.offer b ray meeting ~number
+  | Cylinder c -> Frustum.offer (c :> Frustum.t) ray meeting ~number
+  | Cone c -> Frustum.offer (c :> Frustum.t) ray meeting ~number
+  | Torus t -> Torus.offer t ray meeting ~number
+  | Disc d -> Disc.offer d ray meeting ~number
+  | Triangle t -> Triangle.offer t ray meeting ~number
+  | Quad q -> Quad.offer q ray meeting ~number
+  | Placed p -> Placed.offer offer p ray meeting ~number
+  | Solid s -> Solid.offer crossings_raw s ray meeting ~number
 
 let rec settle shape ~part ray spot =
   match shape with
@@ -180,6 +214,7 @@ let rec settle shape ~part ray spot =
   | Triangle t -> Triangle.settle t ray spot
   | Quad q -> Quad.settle q ray spot
   | Placed p -> Placed.settle settle p ~part ray spot
+  | Solid s -> Solid.settle settle s ~part ray spot
 
 (* {1 The same of values} *)
 
@@ -205,15 +240,25 @@ let normal shape ?(part = 0) { Vec3.x; y; z } =
   settle shape ~part ray spot;
   Spot.normal spot
 
-let rec depth shape point =
+(* As part of a solid, a plane is a half-space. *)
+let rec depth_in_solid shape point =
   match shape with
   | Sphere s -> Sphere.depth s point
+  | Plane p -> Plane.depth p point
   | Box b -> Box.depth b point
   | Cylinder c -> Frustum.depth (c :> Frustum.t) point
   | Cone c -> Frustum.depth (c :> Frustum.t) point
   | Torus t -> Torus.depth t point
+  | Placed p -> Placed.depth depth_in_solid p point
+  | Solid s -> Solid.depth depth_in_solid s point
+  | Disc _ | Triangle _ | Quad _ -> neg_infinity
+
+let rec depth shape point =
+  match shape with
+  | Plane _ -> neg_infinity
   | Placed p -> Placed.depth depth p point
-  | Plane _ | Disc _ | Triangle _ | Quad _ -> neg_infinity
+  | Solid _ when Option.is_none (box shape) -> neg_infinity
+  | _ -> depth_in_solid shape point
 
 (* {1 What is told} *)
 
@@ -228,6 +273,7 @@ let rec name = function
   | Triangle _ -> Triangle.name
   | Quad _ -> Quad.name
   | Placed p -> name p.own
+  | Solid s -> Solid.word (Solid.operation s)
 
 let rec part shape k =
   match shape with
@@ -235,6 +281,8 @@ let rec part shape k =
   | Cylinder _ | Cone _ -> Frustum.part k
   | Placed p -> part p.own k
   | Sphere _ | Plane _ | Torus _ | Disc _ | Triangle _ | Quad _ -> None
+  | Solid s ->
+      part s.members.(Solid.member_of s ~part:k) (Solid.own_part s ~part:k)
 
 let rec parameters = function
   | Sphere s -> Sphere.parameters s
@@ -247,11 +295,23 @@ let rec parameters = function
   | Triangle t -> Triangle.parameters t
   | Quad q -> Quad.parameters q
   | Placed p -> parameters p.own
+  | Solid _ -> []
 
 let modifiers = function Placed p -> p.modifiers | _ -> []
 
 let between_rims (frustum : Frustum.t) =
   List.concat_map (Round.rim frustum.axis) (Frustum.circles frustum)
+
+let is_endless shape = Option.is_none (box shape)
+
+(* What is taken away is not drawn, nor what only cuts. *)
+let shown ({ members; flipped; _ } : t Solid.t) =
+  let kept =
+    List.filteri (fun m _ -> not flipped.(m)) (Array.to_list members)
+  in
+  match List.filter (fun shape -> not (is_endless shape)) kept with
+  | [] -> kept
+  | bounded -> bounded
 
 let rec outline : t -> Outline.t = function
   | Sphere s -> Ball s
@@ -270,7 +330,9 @@ let rec outline : t -> Outline.t = function
       | Ball s -> Body [ all (Sphere.rim s) ]
       | Body pieces -> Body (List.map all pieces)
       | Patch corners -> Patch (all corners)
-      | Endless plane -> Endless (Placed.plane (Placed.with_own plane placed)))
+      | Endless plane -> Endless (Placed.plane (Placed.with_own plane placed))
+      | Several _ as several -> several)
+  | Solid s -> Several (List.map outline (shown s))
 
 let equal_parameter (_, a) (_, b) = Parameter.equal a b
 
@@ -278,10 +340,15 @@ let equal_modifier a b =
   Change.name a = Change.name b
   && List.equal equal_parameter (Change.parameters a) (Change.parameters b)
 
-let equal a b =
-  name a = name b
-  && List.equal equal_parameter (parameters a) (parameters b)
-  && List.equal equal_modifier (modifiers a) (modifiers b)
+let rec equal a b =
+  match (a, b) with
+  | Solid a, Solid b ->
+      a.tree = b.tree
+      && List.equal equal (Array.to_list a.members) (Array.to_list b.members)
+  | _ ->
+      name a = name b
+      && List.equal equal_parameter (parameters a) (parameters b)
+      && List.equal equal_modifier (modifiers a) (modifiers b)
 
 let of_frustum frustum =
   Array.append [| 3. |] (Round.place (Frustum.circles frustum))
@@ -299,6 +366,10 @@ let rec place = function
   | Triangle t -> Array.append [| 6. |] (Flat.place (Triangle.corners t))
   | Quad q -> Array.append [| 7. |] (Flat.place (Quad.corners q))
   | Placed p -> Array.concat [ [| -1. |]; Affine.numbers p.out; place p.own ]
+  | Solid s ->
+      Array.concat
+        ([| -2. |] :: Solid.numbers s
+        :: List.map place (Array.to_list s.members))
 
 let rec pp ppf = function
   | Sphere s -> Sphere.pp ppf s
@@ -313,3 +384,4 @@ let rec pp ppf = function
   | Placed p as placed ->
       Format.fprintf ppf "%a%a" pp p.own (Change.pp_with Number.pp)
         (modifiers placed)
+  | Solid s -> Solid.pp_with pp ppf s

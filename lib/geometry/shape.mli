@@ -18,8 +18,10 @@ type t =
   | Triangle of Triangle.t
   | Quad of Quad.t
   | Placed of t Placed.t
-      (** what a change has made another kind of shape; the own shape is not
-          [Placed] again *)
+      (** what a change has made another kind of shape; the own shape is
+          neither [Placed] nor [Solid] *)
+  | Solid of t Solid.t
+      (** what is put together; no member is a [Solid] again *)
 
 val sphere : centre:Vec3.t -> radius:float -> t
 (** [sphere ~centre ~radius] is {!Sphere.make} as a shape. *)
@@ -67,6 +69,26 @@ val transformed : ?keep_own:bool -> Change.t -> t -> t
     own coordinates.
 
     Raises [Invalid_argument] where a number is no longer what it must be. *)
+
+(** {1 Solids} *)
+
+val is_solid : t -> bool
+(** [is_solid shape] is whether it has an inside: a half-space, for a plane. *)
+
+val solid : t Solid.tree -> t
+(** [solid tree] is what [tree] says of its members. A solid among them is as
+    if its own tree stood there.
+
+    Raises [Invalid_argument] if a member is not {!is_solid}, or an
+    intersection or a difference is empty. *)
+
+val with_members : t array -> t -> t
+(** [with_members members shape] is the solid [shape] with as many other
+    members; any other shape as it is. *)
+
+val with_tolerance : float -> t -> t
+(** [with_tolerance e shape] is [shape]; if it is a {!Solid}, faces of its
+    members coincide within [e]. *)
 
 (** {1 What is hit}
 
@@ -119,7 +141,8 @@ val depth : t -> Vec3.t -> float
 
 val name : t -> string
 (** [name shape] is the scene language's word for it: ["sphere"], ["plane"]. A
-    {!constructor-Placed} one has the name of what it was. *)
+    {!constructor-Placed} one has the name of what it was, a
+    {!constructor-Solid} that of its outermost grouping. *)
 
 val part : t -> int -> string option
 (** [part shape k] is what its part [k] is called, such as ["top"]; [None] if
@@ -128,7 +151,7 @@ val part : t -> int -> string option
 val parameters : t -> (string * Parameter.t) list
 (** [parameters shape] is what the scene language writes after {!name}, in that
     order, each with its name; of a {!constructor-Placed} one in its own
-    coordinates. *)
+    coordinates; nothing for a {!constructor-Solid}. *)
 
 val modifiers : t -> Change.modifier list
 (** [modifiers shape] is what the scene language writes after the surface: what

@@ -78,7 +78,7 @@ and compile_file item check { Syntax.names; syntax; _ } at =
     let written = Syntax.Definition definition in
     Twice.item twice written;
     let scope, code = item check parts.scope ~at written in
-    let define () = code frame (Sink.group ()) in
+    let define () = code frame (Sink.grouping Together) in
     { parts with scope; defines = define :: parts.defines }
   in
   let header parts (written : Syntax.header_item) =

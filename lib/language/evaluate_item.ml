@@ -7,8 +7,18 @@ let add (frame : Check.frame) sink span node =
   Budget.make frame.run.budget span (Thing.size node).count;
   Sink.add sink frame.run span node
 
-let repeat ~at node (frame : Check.frame) sink =
-  add frame sink at (Thing.again frame.run.trail node)
+(* What a block repeats is not written each time. *)
+let ready check ~at origin word node =
+  let span =
+    match Raylab_scene.Origin.offset origin with
+    | Some start ->
+        { Raylab_source.Span.start; stop = start + String.length word }
+    | None -> at
+  in
+  fun (frame : Check.frame) sink ->
+    protect check frame (fun () ->
+        Budget.make frame.run.budget at 1;
+        Sink.add sink frame.run span (Thing.again frame.run.trail node))
 
 let rec tell_twice check names (item : Syntax.item) =
   match item with
@@ -19,9 +29,12 @@ let rec tell_twice check names (item : Syntax.item) =
 
 and compile check scope ~at (item : Syntax.item) =
   match item with
-  (* what a block repeats is not written each time *)
-  | Ready_object o -> (scope, repeat ~at (Thing.leaf o))
-  | Ready_light l -> (scope, repeat ~at (Thing.lamp l))
+  | Ready_object o ->
+      let word = Raylab_geometry.Shape.name o.shape in
+      (scope, ready check ~at o.origin word (Thing.leaf o))
+  | Ready_light l ->
+      let word = Raylab_scene.Light.name l in
+      (scope, ready check ~at l.origin word (Thing.lamp l))
   | Placed placed -> (scope, place check scope placed)
   | Definition d ->
       let scope, define = Evaluate_definition.compile block check scope d in

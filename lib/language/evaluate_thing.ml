@@ -42,10 +42,26 @@ let light check scope span light =
         let light = Light.with_origin (origin frame span) (light frame) in
         Thing.Light (placeable frame (Thing.lamp light)))
 
-let group body frame =
-  let sink = Sink.group () in
+(* What recurses on solids has room for it. *)
+let max_depth = 1_000
+
+let check_solid span grouping nodes node =
+  let word = Thing.word grouping in
+  if nodes = [] && grouping <> Thing.Solid Union then
+    Fault.fail span
+      (Printf.sprintf "%s of nothing" (Thing.a word))
+      ~advice:"it needs at least one object"
+  else if (Thing.size node).depth > max_depth then
+    Fault.fail span "solids are nested deeper than 1,000"
+
+let group span grouping body frame =
+  let sink = Sink.grouping grouping in
   body frame sink;
-  Thing.Object (placeable frame (Sink.node sink))
+  let origin = origin frame span in
+  let nodes = Sink.nodes sink in
+  let node = Thing.group ~origin grouping nodes in
+  if grouping <> Together then check_solid span grouping nodes node;
+  Thing.Object (placeable frame node)
 
 (* What a call makes knows the call. What it only returns has been made before,
    and is placed by it as by a name. *)
@@ -74,28 +90,40 @@ let bare block check scope { Syntax.thing; span; _ } =
   match thing with
   | Shape (written, surface) -> shape check scope span written surface
   | Light written -> light check scope span written
-  | Group items -> group (block check scope ~at:span items)
+  | Group (grouping, items) ->
+      group span grouping (block check scope ~at:span items)
   | Reference e -> reference scope e
 
-let changed change placeable =
-  { placeable with Thing.node = Thing.changed change placeable.Thing.node }
+let changed frame modifiers placeable =
+  match List.map (fun modifier -> modifier frame) modifiers with
+  | [] -> placeable
+  | modifiers ->
+      let change = Change.of_modifiers modifiers in
+      { placeable with Thing.node = Thing.changed change placeable.Thing.node }
 
-let compile block check scope placed =
+let shadowless placeable =
+  { placeable with Thing.node = Thing.shadowless placeable.Thing.node }
+
+let no_shadow span =
+  Fault.fail span "a light has no shadow"
+    ~advice:"shadowless is for objects: a light has the modifiers that move it"
+
+let compile block check scope (placed : Syntax.placed) =
   let thing = bare block check scope placed in
-  let modifier { Syntax.change; span } =
-    Evaluate_written.compile check scope span ~default:(Change.Scaled 1.)
+  let modifier ({ change; span } : Syntax.modifier) =
+    Option.map
+      (Evaluate_written.compile check scope span ~default:(Change.Scaled 1.))
       change
   in
-  match List.map modifier placed.modifiers with
-  | [] -> thing
-  | modifiers -> (
-      fun frame ->
-        let thing = thing frame in
-        let change =
-          Change.of_modifiers
-            (List.map (fun modifier -> modifier frame) modifiers)
-        in
-        match thing with
-        | Thing.Light light -> Light (changed change light)
-        | Object object_ -> Object (changed change object_)
-        | Surface _ -> thing)
+  let is_shadowless ({ change; _ } : Syntax.modifier) =
+    Option.is_none change
+  in
+  let changes = List.filter_map modifier placed.modifiers
+  and casts_none = List.find_opt is_shadowless placed.modifiers in
+  fun frame ->
+    match (thing frame, casts_none) with
+    | Thing.Light _, Some { span; _ } -> no_shadow span
+    | Light light, None -> Thing.Light (changed frame changes light)
+    | Object object_, None -> Object (changed frame changes object_)
+    | Object object_, Some _ -> Object (shadowless (changed frame changes object_))
+    | (Surface _ as surface), _ -> surface

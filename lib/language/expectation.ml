@@ -80,7 +80,7 @@ let rule whole before after =
         ("the next object (" ^ shapes
         ^ "), or another weight and surface for the mix")
   | _, _, "surface" :: _ -> expected "surface" surfaces
-  | "group", _, _ -> expected "item" (item_or_end "group")
+  | "group", _, _ -> expected "item" (item_or_end "grouping")
   | "simple_thing", "FOR" :: _, "range" :: _ -> expected "'=' or 'in'" range
   | "simple_thing", "FOR" :: _, _ -> expected "item" (item_or_end "loop")
   | ("thing" | "otherwise"), _, "condition" :: _ | "condition", _, _ ->

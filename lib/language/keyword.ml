@@ -212,6 +212,7 @@ let modifiers : t list =
     row "translated" TRANSLATED "TRANSLATED"
       [ ("number", "the way after translated: three numbers, x y z") ]
       "moved";
+    row "shadowless" SHADOWLESS "SHADOWLESS" [] "casts no shadow";
   ]
 [@@ocamlformat "disable"]
 
@@ -232,7 +233,7 @@ let structure : t list =
       [ ("condition", "a condition in brackets after if, such as (n > 0)") ]
       "has items only where a condition is true";
     row "else" ELSE "ELSE" [] "the items where it is not";
-    row "end" END "END" [] "ends for, if and group";
+    row "end" END "END" [] "ends for, if and groupings";
     row "to" TO "TO" [ ("number", "the last value of the loop after to") ]
       "before the last value of a loop";
     row "by" BY "BY" [ ("number", "the step of the loop after by") ]
@@ -251,6 +252,11 @@ let others : t list =
     row Heading "lights" LIGHTS "LIGHTS" [] "may stand before the lights";
     row Heading "objects" OBJECTS "OBJECTS" [] "may stand before the objects";
     row Grouping "group" GROUP "GROUP" [] "puts items together";
+    row Grouping "union" UNION "UNION" [] "what is in one of its parts";
+    row Grouping "intersection" INTERSECTION "INTERSECTION" []
+      "what is in all of its parts";
+    row Grouping "difference" DIFFERENCE "DIFFERENCE" []
+      "its first part without the others";
   ]
 
 let operators : t list =

@@ -32,7 +32,7 @@ let setting word loc change =
   Syntax.Setting { word; word_span = span loc; change }
 
 let plain finish loc = { Syntax.finish = Plain finish; span = span loc }
-let modifier change loc = { Syntax.change; span = span loc }
+let modifier change loc = { Syntax.change = Some change; span = span loc }
 %}
 
 %token <float> NUMBER "1"
@@ -52,10 +52,11 @@ let modifier change loc = { Syntax.change; span = span loc }
 %token OBJECTS "objects" GROUP "group"
 %token SPHERE "sphere" PLANE "plane" BOX "box" CYLINDER "cylinder" CONE "cone"
 %token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
+%token UNION "union" INTERSECTION "intersection" DIFFERENCE "difference"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
 %token MIXED "mixed"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
-%token TRANSLATED "translated"
+%token TRANSLATED "translated" SHADOWLESS "shadowless"
 %token LET "let" FOR "for" IF "if" ELSE "else" END "end" TO "to" BY "by"
 %token IN "in" INCLUDE "include"
 %token THEN "then" AND "and" OR "or" NOT "not" TRUE "true" FALSE "false"
@@ -151,7 +152,7 @@ simple_thing:
       { Literal.item
           (placed (Shape (shape, surface)) modifiers $loc(shape)) }
   | group = group modifiers = modifiers
-      { Syntax.Placed (placed (Group group) modifiers $loc(group)) }
+      { Syntax.Placed (placed group modifiers $loc(group)) }
   | r = reference modifiers = modifiers
       { Syntax.Placed (placed (Reference r) modifiers $loc(r)) }
   | "for" name = NAME range = range body = items "end"
@@ -220,7 +221,7 @@ value:
   | shape = shape surface = surface modifiers = modifiers
       { Syntax.Thing (placed (Shape (shape, surface)) modifiers $loc(shape)) }
   | group = group modifiers = modifiers
-      { Syntax.Thing (placed (Group group) modifiers $loc(group)) }
+      { Syntax.Thing (placed group modifiers $loc(group)) }
 
 (* {1 Things} *)
 
@@ -247,7 +248,13 @@ shape:
       { Shapes.quad corner edge other }
 
 group:
-  | "group" items = items "end" { List.rev items }
+  | g = grouping items = items "end" { Syntax.Group (g, List.rev items) }
+
+grouping:
+  | "group" { Thing.Together }
+  | "union" { Thing.Solid Union }
+  | "intersection" { Thing.Solid Intersection }
+  | "difference" { Thing.Solid Difference }
 
 modifiers:
   | (* none *) { [] }
@@ -264,6 +271,7 @@ modifier:
   | "rotated" axis = vector angle = atom
       { modifier (Modifiers.rotated axis angle) $loc($1) }
   | "translated" way = vector { modifier (Modifiers.translated way) $loc($1) }
+  | "shadowless" { { Syntax.change = None; span = span $loc($1) } }
 
 (* {1 Surfaces} *)
 

@@ -164,7 +164,27 @@ let print_film ppf { Film.samples; exposure; srgb } =
   if exposure <> 1. then Format.fprintf ppf "exposure %s@\n" (number exposure);
   if srgb then Format.fprintf ppf "srgb@\n"
 
-let print_surface = Surface.pp_with print_number
+let print_plain ppf (o : Object.t) =
+  Format.fprintf ppf "%a %a%a" print_shape o.shape
+    (Surface.pp_with print_number)
+    o.surface
+    (Change.pp_with print_number)
+    (Shape.modifiers o.shape)
+
+let rec print_solid primitives ppf : int Solid.tree -> unit = function
+  | Member m -> print_plain ppf primitives.(m)
+  | Combined (operation, parts) ->
+      Format.fprintf ppf "@[<v>@[<v 2>%s" (Solid.word operation);
+      List.iter
+        (fun part -> Format.fprintf ppf "@,%a" (print_solid primitives) part)
+        parts;
+      Format.fprintf ppf "@]@,end@]"
+
+let print_object ppf (o : Object.t) =
+  (match o.shape with
+  | Solid { tree; _ } -> print_solid o.primitives ppf tree
+  | _ -> print_plain ppf o);
+  if o.is_shadowless then Format.pp_print_string ppf " shadowless"
 
 let print_viewpoint ppf { Viewpoint.eye; look_at; up; _ } =
   Format.fprintf ppf "eye %s@\nlookAt %s@\nup %s@\n" (vector eye)
@@ -198,10 +218,7 @@ let print_with comment ppf (scene : Scene.t) =
   Format.fprintf ppf "objects@\n";
   List.iter
     (fun (o : Object.t) ->
-      Format.fprintf ppf "%a %a%a%s@\n" print_shape o.shape print_surface
-        o.surface
-        (Change.pp_with print_number)
-        (Shape.modifiers o.shape) (comment o.origin))
+      Format.fprintf ppf "%a%s@\n" print_object o (comment o.origin))
     scene.objects
 
 let print = print_with (fun _ -> "")

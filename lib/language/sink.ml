@@ -2,34 +2,66 @@ open Raylab_geometry
 open Raylab_scene
 open Raylab_expression
 
-(* Each list begins with what came last. A group keeps its nodes, and a scene
+(* Each list begins with what came last. A grouping keeps its nodes, and a scene
    what becomes of them. *)
 type t = {
-  keeps_nodes : bool;
+  grouping : Thing.grouping option;
   mutable nodes : Thing.node list;
   mutable lights : Light.t list;
   mutable objects : Object.t list;
 }
 
-let make keeps_nodes = { keeps_nodes; nodes = []; lights = []; objects = [] }
-let scene () = make false
-let group () = make true
+let make grouping = { grouping; nodes = []; lights = []; objects = [] }
+let scene () = make None
+let grouping grouping = make (Some grouping)
 let lights sink = List.rev sink.lights
 let objects sink = List.rev sink.objects
-let node sink = Thing.many (List.rev sink.nodes)
+let nodes sink = List.rev sink.nodes
 
 (* What is around the nodes that are still to be placed. *)
-type around = { change : Change.t; placed : Origin.placed }
+type around = { change : Change.t; placed : Origin.placed; shadowless : bool }
 
-let add_object sink { change; placed } (o : Object.t) =
-  let origin = Origin.place placed o.origin in
-  let o = Object.transformed change o in
-  sink.objects <- { o with origin } :: sink.objects
+let at_once = { change = Change.identity; placed = At_once; shadowless = false }
 
-let add_light sink { change; placed } (l : Light.t) =
+let changed around change =
+  { around with change = Change.compose around.change change }
+
+let named around { Thing.name; at; within } =
+  let placed = Origin.By_name { name; at; within; around = around.placed } in
+  { around with placed }
+
+let object_ { change; placed; _ } (o : Object.t) =
+  Object.transformed change o
+  |> Object.with_origin (Origin.place placed o.origin)
+
+let add_object sink { shadowless; _ } o =
+  let o = if shadowless then Object.shadowless o else o in
+  sink.objects <- o :: sink.objects
+
+let add_light sink { change; placed; _ } (l : Light.t) =
   let light = Light.transformed change l in
   let light = Light.with_origin (Origin.place placed l.origin) light in
   sink.lights <- light :: sink.lights
+
+(* {1 Out of groupings} *)
+
+let operation : Thing.grouping -> Solid.operation = function
+  | Together -> Union
+  | Solid operation -> operation
+
+(* A group in a solid is the union of what is in it. *)
+let rec tree around : Thing.node -> Object.t Solid.tree = function
+  | Leaf o -> Member (object_ around o)
+  | Group { grouping; nodes; _ } ->
+      Change.share around.change;
+      Combined (operation grouping, List.map (tree around) nodes)
+  | Changed { change; node; _ } -> tree (changed around change) node
+  | Named { named = name; node; _ } -> tree (named around name) node
+  | Lamp _ | Shadowless _ -> invalid_arg "Sink: no part of a solid"
+
+let solid around origin node =
+  let origin = Origin.place around.placed origin in
+  Object.solid ~origin (tree around node)
 
 (* On a list of its own and not on the stack: groups that have names may be
    nested as often as there are names. *)
@@ -40,30 +72,44 @@ let rec place sink = function
       let rest = (around, nodes) :: rest in
       match (node : Thing.node) with
       | Leaf o ->
-          add_object sink around o;
+          add_object sink around (object_ around o);
           place sink rest
       | Lamp l ->
           add_light sink around l;
           place sink rest
-      | Many { nodes; _ } -> place sink ((around, nodes) :: rest)
+      | Group { grouping = Together; nodes; _ } ->
+          Change.share around.change;
+          place sink ((around, nodes) :: rest)
+      | Group { grouping = Solid _; origin; size; _ } ->
+          if size.count > 0 then add_object sink around (solid around origin node);
+          place sink rest
       | Changed { change; node; _ } ->
-          let change = Change.compose around.change change in
-          place sink (({ around with change }, [ node ]) :: rest)
-      | Named { named = { name; at; within }; node; _ } ->
-          let placed =
-            Origin.By_name { name; at; within; around = around.placed }
-          in
-          place sink (({ around with placed }, [ node ]) :: rest))
+          place sink ((changed around change, [ node ]) :: rest)
+      | Named { named = name; node; _ } ->
+          place sink ((named around name, [ node ]) :: rest)
+      | Shadowless { node; _ } ->
+          place sink (({ around with shadowless = true }, [ node ]) :: rest))
 
-let at_once = { change = Change.identity; placed = At_once }
+(* {1 Into them} *)
+
+let require_fit span grouping node =
+  match Thing.unfit node with
+  | None -> ()
+  | Some { what; why; advice } ->
+      Fault.fail span ~advice
+        (Printf.sprintf "%s cannot be part of %s: it %s" what
+           (Thing.a (Thing.word grouping))
+           why)
 
 let add sink (run : _ Value.run) span (node : Thing.node) =
-  match node with
-  | _ when sink.keeps_nodes -> sink.nodes <- node :: sink.nodes
-  | Leaf o -> sink.objects <- o :: sink.objects
-  | Lamp l -> sink.lights <- l :: sink.lights
-  | Many _ | Changed _ | Named _ -> (
-      let { Thing.count; visits } = Thing.size node in
+  match (sink.grouping, node) with
+  | Some grouping, _ ->
+      if grouping <> Thing.Together then require_fit span grouping node;
+      sink.nodes <- node :: sink.nodes
+  | None, Leaf o -> sink.objects <- o :: sink.objects
+  | None, Lamp l -> sink.lights <- l :: sink.lights
+  | None, (Group _ | Changed _ | Named _ | Shadowless _) -> (
+      let { Thing.count; visits; _ } = Thing.size node in
       Budget.steps run.budget span (visits - count);
       try place sink [ (at_once, [ node ]) ]
       with Invalid_argument _ ->

@@ -1,4 +1,4 @@
-(** Where lights and objects go: into the scene, or into a group. *)
+(** Where lights and objects go: into the scene, or into a grouping. *)
 
 open Raylab_source
 open Raylab_scene
@@ -9,14 +9,15 @@ type t
 val scene : unit -> t
 (** [scene ()] is that of a scene, which as yet has nothing. *)
 
-val group : unit -> t
-(** [group ()] is that of a group. *)
+val grouping : Thing.grouping -> t
+(** [grouping g] is that of such a grouping. *)
 
 val add : t -> _ Raylab_expression.Value.run -> Span.t -> Thing.node -> unit
 (** [add sink run span node] puts [node] after what is in [sink]. In a scene it
     becomes lights and objects where the modifiers around them put them; groups
     and modifiers are steps of [run] then. If they leave the range of numbers
-    there, it raises {!Raylab_expression.Fault.Found} at [span]. *)
+    there, or [node] cannot be part of the solid that [sink] is of, it raises
+    {!Raylab_expression.Fault.Found} at [span]. *)
 
 val lights : t -> Light.t list
 (** [lights sink] is the lights in a scene, in their order. *)
@@ -24,5 +25,5 @@ val lights : t -> Light.t list
 val objects : t -> Object.t list
 (** [objects sink] is its objects, likewise. *)
 
-val node : t -> Thing.node
-(** [node sink] is all that is in a group. *)
+val nodes : t -> Thing.node list
+(** [nodes sink] is all that is in a grouping, likewise. *)

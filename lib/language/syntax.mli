@@ -17,7 +17,7 @@ and finish =
   | Chosen of Expression.t  (** a name, or what stands in brackets *)
 
 type modifier = {
-  change : Change.modifier Written.t;
+  change : Change.modifier Written.t option;  (** [None]: shadowless *)
   span : Span.t;  (** of its first word *)
 }
 
@@ -44,7 +44,7 @@ and placed = {
 and thing =
   | Light of Light.t Written.t
   | Shape of Shape.t Written.t * surface
-  | Group of item list
+  | Group of Thing.grouping * item list
   | Reference of Expression.t
 
 and definition = {

@@ -4,6 +4,9 @@ open Raylab_geometry
 open Raylab_expression
 open Raylab_scene
 
+(** The type for ways to put items together. *)
+type grouping = Together  (** as a group *) | Solid of Solid.operation
+
 (** The type for things. *)
 type t =
   | Surface of Surface.t
@@ -20,15 +23,30 @@ and placeable = {
 and node = private
   | Leaf of Object.t
   | Lamp of Light.t
-  | Many of { nodes : node list; size : size }
+  | Group of {
+      grouping : grouping;
+      origin : Origin.t;
+      nodes : node list;
+      size : size;
+    }
   | Changed of { change : Change.t; node : node; size : size }
   | Named of { named : named; node : node; size : size }
       (** placed by its name *)
+  | Shadowless of { node : node; size : size }
 
 and size = {
   count : int;  (** lights and objects *)
   visits : int;  (** nodes, at most a billion: what it takes to place it *)
+  depth : int;  (** how deep groupings nest *)
+  unfit : unfit option;  (** {!val-unfit} of a node that is more than one *)
 }
+
+and unfit = {
+  what : string;  (** such as ["a light"] *)
+  why : string;  (** such as ["has no inside"] *)
+  advice : string;
+}
+(** Why something cannot be part of a solid. *)
 
 and named = { name : string; at : int; within : Trail.t }
 (** The type for names as they stand: at this offset, evaluated there. *)
@@ -43,8 +61,14 @@ val again : Trail.t -> node -> node
 (** [again within node] is [node], which is written out, made in a call or a
     round. *)
 
-val many : node list -> node
-(** [many nodes] is these together. *)
+val word : grouping -> string
+(** [word grouping] is the scene language's word for it. *)
+
+val a : string -> string
+(** [a word] is [word], such as that of a grouping, after an article. *)
+
+val group : origin:Origin.t -> grouping -> node list -> node
+(** [group ~origin grouping nodes] is these together. *)
 
 val changed : Change.t -> node -> node
 (** [changed change node] is [node] as [change] puts it. *)
@@ -52,8 +76,14 @@ val changed : Change.t -> node -> node
 val named : named -> node -> node
 (** [named named node] is [node], placed by this name. *)
 
+val shadowless : node -> node
+(** [shadowless node] is [node], which shadow rays do not meet. *)
+
 val size : node -> size
 (** [size node] is how large it is, in constant time. *)
+
+val unfit : node -> unfit option
+(** [unfit node] is why [node] cannot be part of a solid; [None] if it can. *)
 
 val describe : t -> string
 (** [describe thing] is what it is: ["a surface"]. *)

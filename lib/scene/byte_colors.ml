@@ -26,7 +26,8 @@ let of_object k (o : Object.t) =
   let named color =
     { name = Warning.name (k + 1) o; color; origin = o.origin }
   in
-  List.map named (List.filter looks_so (Surface.colors o.surface))
+  List.concat_map Surface.colors (Object.surfaces o)
+  |> List.filter looks_so |> List.map named
 
 let of_background color =
   if looks_so color then

@@ -51,6 +51,7 @@ let warnings camera lights objects =
   let kept_in k light =
     let keeps (by, o, eye) =
       match (eye, light_side camera o light) with
+      | _ when o.is_shadowless -> None
       | Inside, Outside | Outside, Inside ->
           Some { number = k + 1; light; by; o; eye }
       | _ -> None

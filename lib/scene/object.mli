@@ -1,13 +1,51 @@
-(** Objects: a shape with a surface. *)
+(** Objects: a shape with a surface, or a solid of such. *)
 
 open Raylab_geometry
 
-type t = { shape : Shape.t; surface : Surface.t; origin : Origin.t }
+type t = private {
+  shape : Shape.t;
+  surface : Surface.t;  (** of a solid that of its first primitive *)
+  primitives : t array;
+      (** of a solid, whose shape is {!Shape.Solid}, its members, each with its
+          surface and origin; none of any other object *)
+  is_shadowless : bool;  (** whether no shadow ray meets it *)
+  origin : Origin.t;
+}
 (** The type for objects. *)
 
 val make : ?origin:Origin.t -> Shape.t -> Surface.t -> t
 (** [make ~origin shape surface] is the object of this shape and surface, whose
-    origin is by default unknown. *)
+    origin is by default unknown.
+
+    Raises [Invalid_argument] if [shape] is a {!Shape.Solid}. *)
+
+val solid : ?origin:Origin.t -> t Solid.tree -> t
+(** [solid ~origin tree] is the solid that {!Shape.solid} makes of the shapes
+    in [tree]. A solid among them is as if its own tree stood there.
+
+    Raises [Invalid_argument] where {!Shape.solid} does, or if there is no
+    primitive at all. *)
+
+val primitive : t -> int option -> t
+(** [primitive o k] is the [k]th primitive of the solid [o], from 1; [o] itself
+    for [None].
+
+    Raises [Invalid_argument] if there is none. *)
+
+val shadowless : t -> t
+(** [shadowless o] is [o], which no shadow ray meets. *)
+
+val with_origin : Origin.t -> t -> t
+(** [with_origin origin o] is [o], of this origin. *)
+
+val surfaces : t -> Surface.t list
+(** [surfaces o] is its surface, or those of its primitives. *)
+
+val map_surfaces : (Surface.t -> Surface.t) -> t -> t
+(** [map_surfaces f o] is [o] with [f] of each of its surfaces. *)
+
+val with_surface : Surface.t -> t -> t
+(** [with_surface surface o] is [o] with this surface, all over it. *)
 
 val transformed : Change.t -> t -> t
 (** [transformed change o] is [o] where {!Raylab_geometry.Shape.transformed}
@@ -20,4 +58,5 @@ val equal : t -> t -> bool
     do not count. *)
 
 val pp : Format.formatter -> t -> unit
-(** [pp] prints shape and surface on one line. *)
+(** [pp] prints shape and surface on one line; the shape of a solid first, then
+    the surfaces of its primitives. *)

@@ -47,9 +47,7 @@ let without_places scene = { scene with files = Files.none }
 
 let greyscale scene =
   let grey c = Grey.to_color (Grey.of_color c) in
-  let grey_object (o : Object.t) =
-    { o with surface = Surface.map_colors grey o.surface }
-  in
+  let grey_object = Object.map_surfaces (Surface.map_colors grey) in
   {
     scene with
     background = grey scene.background;
@@ -58,10 +56,12 @@ let greyscale scene =
   }
 
 let findings scene =
-  let lobes (o : Object.t) = Surface.lobes o.surface in
-  let some_object holds = List.exists holds scene.objects in
-  let needs_light o = not (Color.equal (lobes o).albedo Color.black) in
-  let mirrors o = not (Color.equal (lobes o).mirror Color.black) in
+  let some_surface holds =
+    let holds surface = holds (Surface.lobes surface) in
+    List.exists (fun o -> List.exists holds (Object.surfaces o)) scene.objects
+  in
+  let needs_light { Lobes.albedo; _ } = not (Color.equal albedo Color.black)
+  and mirrors { Lobes.mirror; _ } = not (Color.equal mirror Color.black) in
   let of_all text = { Warning.text; about = [] } in
   let distorted how =
     of_all
@@ -74,9 +74,9 @@ let findings scene =
         "there is no object: the picture is all background" );
       ( (fun () -> scene.ray_depth = 0),
         "raydepth is 0: the picture is all background" );
-      ( (fun () -> scene.lights = [] && some_object needs_light),
+      ( (fun () -> scene.lights = [] && some_surface needs_light),
         "there is no light: diffusive surfaces are black" );
-      ( (fun () -> scene.ray_depth = 1 && some_object mirrors),
+      ( (fun () -> scene.ray_depth = 1 && some_surface mirrors),
         "raydepth is 1: mirrors show nothing but the background" );
       ( (fun () -> Lens.is_open scene.lens && scene.film.samples = 1),
         "samples is 1: whatever the aperture, everything is sharp; say \

@@ -23,7 +23,10 @@ let tell_background t left =
       observe
         (Closed { left; terms = [ { source = Background; color } ]; color })
 
-let hit t = Hit.of_registers t.meeting t.spot t.ray
+let hit t =
+  let { Meeting.number; part; _ } = t.meeting in
+  let primitive = Prepared.primitive t.prepared ~number ~part in
+  Hit.of_registers ~primitive t.meeting t.spot t.ray
 
 let tell_hit t =
   match t.observe with None -> () | Some observe -> observe (Met (hit t))
@@ -59,17 +62,23 @@ let rec trace t left =
   if left > 0 && find t then (
     t.tally.hits <- t.tally.hits + 1;
     tell_hit t;
-    let { Prepared.lobes; rows; objects; _ } = t.prepared
-    and number = t.meeting.number in
-    let row = rows.(number) in
-    if row = Prepared.varies then (
-      Surface.write objects.(number).surface t.spot t.lobes 0;
-      shade t left t.lobes 0)
-    else shade t left lobes row)
+    let { Prepared.lobes; rows; _ } = t.prepared in
+    let row = rows.(t.meeting.number) in
+    if row >= 0 then shade t left lobes row else shade_part t left)
   else
     let { Color.r; g; b } = t.prepared.scene.background in
     Raw_color.set t.color r g b;
     tell_background t left
+
+(* The same for a ray that hits a surface that varies, or one of many. *)
+and shade_part t left =
+  let { Meeting.number; part; _ } = t.meeting in
+  let row = Prepared.row t.prepared ~number ~part in
+  if row = Prepared.varies then (
+    let surface = Prepared.surface t.prepared ~number ~part in
+    Surface.write surface t.spot t.lobes 0;
+    shade t left t.lobes 0)
+  else shade t left t.prepared.lobes row
 
 (* The same for a ray that hits a surface with the lobes at [at]. The mirrored
    ray uses the registers anew: what is wanted after it is read before. *)

@@ -10,12 +10,19 @@ type t =
   | Met of Hit.t
   | Faces_away of { light : int; cosine : float }
   | Shadow_ray of { light : int; ray : Ray.t }
-  | Blocked of { light : int; by : int; t : float; point : Vec3.t }
+  | Blocked of {
+      light : int;
+      by : int;
+      primitive : int option;
+      t : float;
+      point : Vec3.t;
+    }
   | Lit of {
       light : int;
       cosine : float;
       falloff : float;
       contribution : Color.t;
+      past : int option;
     }
   | Closed of { left : int; terms : term list; color : Color.t }
   | Done of Color.t
@@ -36,23 +43,34 @@ let pp_sum ppf =
     ~pp_sep:(fun ppf () -> Format.pp_print_string ppf " + ")
     pp_term ppf
 
+let pp_object ppf (number, primitive) =
+  Format.fprintf ppf "object %d" number;
+  Option.iter (Format.fprintf ppf ".%d") primitive
+
+let pp_past ppf number =
+  Format.fprintf ppf ", past object %d, which is shadowless" number
+
 let pp ppf = function
   | Opened { role = r; ray; left } ->
       Format.fprintf ppf "%s: %a, %d left in the chain" (role r) Ray.pp ray
         left
   | Met hit ->
-      Format.fprintf ppf "nearest hit: object %d, %a" hit.number Hit.pp hit
+      Format.fprintf ppf "nearest hit: %a, %a" pp_object
+        (hit.number, hit.primitive)
+        Hit.pp hit
   | Faces_away { light; cosine } ->
       Format.fprintf ppf "light %d: faces away, cosine %a" light Number.pp
         cosine
   | Shadow_ray { light; ray } ->
       Format.fprintf ppf "shadow ray to light %d: %a" light Ray.pp ray
-  | Blocked { light; by; t; point } ->
-      Format.fprintf ppf "light %d: blocked by object %d, t = %a at %a" light
-        by Number.pp t Vec3.pp point
-  | Lit { light; cosine; falloff; contribution } ->
-      Format.fprintf ppf "light %d: lit, cosine %a, fall-off %a, gives %a"
+  | Blocked { light; by; primitive; t; point } ->
+      Format.fprintf ppf "light %d: blocked by %a, t = %a at %a" light
+        pp_object (by, primitive) Number.pp t Vec3.pp point
+  | Lit { light; cosine; falloff; contribution; past } ->
+      Format.fprintf ppf "light %d: lit, cosine %a, fall-off %a, gives %a%a"
         light Number.pp cosine Number.pp falloff Color.pp contribution
+        (Format.pp_print_option pp_past)
+        past
   | Closed { terms = [ { source = Background; _ } ]; left; color } ->
       Format.fprintf ppf "%s: the background, %a"
         (if left = 0 then "chain ended" else "nothing hit")

@@ -42,7 +42,13 @@ type t =
           distance is no double. *)
   | Shadow_ray of { light : int; ray : Ray.t }
       (** A ray is sent to find out whether anything blocks the light. *)
-  | Blocked of { light : int; by : int; t : float; point : Vec3.t }
+  | Blocked of {
+      light : int;
+      by : int;
+      primitive : int option;  (** which of it, from 1, if it is a solid *)
+      t : float;
+      point : Vec3.t;
+    }
       (** Object [by] is in the way: it is what the shadow ray hits first, at
           distance [t], at [point]. *)
   | Lit of {
@@ -52,6 +58,8 @@ type t =
           (** 1 over the squared distance for a point light, else 1 *)
       contribution : Color.t;
           (** [cosine * falloff * intensity * colour] of the light *)
+      past : int option;
+          (** the first object that would be in the way, but is shadowless *)
     }  (** Nothing is in the way. *)
   | Closed of { left : int; terms : term list; color : Color.t }
       (** The ray that was opened last, and not closed, has [color], the sum of

@@ -1,12 +1,22 @@
 open Raylab_geometry
 open Raylab_scene
 
+type primitive = {
+  index : int;
+  object_ : Object.t;
+  place : Provenance.t option;
+  is_taken_away : bool;
+}
+
+type past = { number : int; object_ : Object.t; place : Provenance.t option }
+
 type verdict =
   | Faces_away of { cosine : float }
   | Blocked of {
       shadow_ray : Ray.t;
       by : int;
       blocker : Object.t;
+      primitive : primitive option;
       place : Provenance.t option;
       t : float;
       point : Vec3.t;
@@ -16,6 +26,7 @@ type verdict =
       cosine : float;
       falloff : float;
       contribution : Color.t;
+      past : past option;
     }
 
 type light = {
@@ -39,6 +50,7 @@ and outcome = Chain_ended | Missed | Hit of surface_hit
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
+  primitive : primitive option;
   place : Provenance.t option;
   surface : Surface.t;
   lobes : Lobes.t;
@@ -61,12 +73,21 @@ type open_ray = {
 let unexpected () = invalid_arg "Explain: events in a wrong order"
 let place scene origin = Scene.provenance scene.Prepared.scene origin
 
+let primitive_of scene (o : Object.t) index =
+  let object_ = Object.primitive o (Some index) in
+  let is_taken_away =
+    match o.shape with Solid s -> s.flipped.(index - 1) | _ -> false
+  in
+  { index; object_; place = place scene object_.origin; is_taken_away }
+
 let hit_of scene hit lights =
   let object_ = Prepared.numbered_object scene hit.Hit.number in
-  let surface = Surface.at object_.surface hit.own_point in
+  let primitive = Option.map (primitive_of scene object_) hit.primitive in
+  let { Object.surface; _ } = Object.primitive object_ hit.primitive in
+  let surface = Surface.at surface hit.own_point in
   let lobes = Surface.lobes surface in
   let place = place scene object_.origin and lights = List.rev lights in
-  { hit; object_; place; surface; lobes; lights }
+  { hit; object_; primitive; place; surface; lobes; lights }
 
 (* Each term that needs a ray takes the next of those that were closed. *)
 let terms_of terms closed =
@@ -87,6 +108,10 @@ let close scene { opened = role, ray, left; met; verdicts; closed; _ } terms
   in
   { role; ray; left; outcome; terms = terms_of terms closed; color }
 
+let past_of scene number =
+  let object_ = Prepared.numbered_object scene number in
+  { number; object_; place = place scene object_.origin }
+
 let add_verdict scene state number verdict =
   let light = Prepared.numbered_light scene number in
   let told = { number; light; place = place scene light.origin; verdict } in
@@ -99,16 +124,18 @@ let after scene state : Event.t -> open_ray = function
   | Faces_away { light; cosine } ->
       add_verdict scene state light (Faces_away { cosine })
   | Shadow_ray { ray; _ } -> { state with shadow_ray = Some ray }
-  | Blocked { light; by; t; point } ->
+  | Blocked { light; by; primitive; t; point } ->
       let shadow_ray = Option.get state.shadow_ray
       and blocker = Prepared.numbered_object scene by in
       add_verdict scene state light
         (let place = place scene blocker.origin in
-         Blocked { shadow_ray; by; blocker; place; t; point })
-  | Lit { light; cosine; falloff; contribution } ->
-      let shadow_ray = state.shadow_ray in
+         let primitive = Option.map (primitive_of scene blocker) primitive in
+         Blocked { shadow_ray; by; blocker; primitive; place; t; point })
+  | Lit { light; cosine; falloff; contribution; past } ->
+      let shadow_ray = state.shadow_ray
+      and past = Option.map (past_of scene) past in
       add_verdict scene state light
-        (Lit { shadow_ray; cosine; falloff; contribution })
+        (Lit { shadow_ray; cosine; falloff; contribution; past })
   | Opened _ | Closed _ | Done _ -> unexpected ()
 
 let start role ray left =

@@ -9,6 +9,17 @@
 open Raylab_geometry
 open Raylab_scene
 
+type primitive = {
+  index : int;  (** among those of its solid, from 1 *)
+  object_ : Object.t;
+  place : Provenance.t option;
+  is_taken_away : bool;  (** whether the solid is without it *)
+}
+(** A primitive of a solid. *)
+
+type past = { number : int; object_ : Object.t; place : Provenance.t option }
+(** An object that a ray passes. *)
+
 (** What a light gives to a hit. *)
 type verdict =
   | Faces_away of { cosine : float }
@@ -18,6 +29,7 @@ type verdict =
       shadow_ray : Ray.t;
       by : int;  (** the number of the blocking object, from 1 *)
       blocker : Object.t;
+      primitive : primitive option;
       place : Provenance.t option;  (** of the blocking object *)
       t : float;  (** along the shadow ray *)
       point : Vec3.t;
@@ -28,6 +40,7 @@ type verdict =
       cosine : float;
       falloff : float;
       contribution : Color.t;
+      past : past option;  (** the first object in the way that is shadowless *)
     }
 
 type light = {
@@ -56,6 +69,7 @@ and outcome =
 and surface_hit = {
   hit : Hit.t;
   object_ : Object.t;
+  primitive : primitive option;
   place : Provenance.t option;  (** of the object *)
   surface : Surface.t;  (** what [object_]'s surface is at the hit *)
   lobes : Lobes.t;  (** what [surface] denotes *)

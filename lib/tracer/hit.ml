@@ -2,6 +2,7 @@ open Raylab_geometry
 
 type t = {
   number : int;
+  primitive : int option;
   part : int;
   t : float;
   point : Vec3.t;
@@ -11,9 +12,11 @@ type t = {
   offset : float;
 }
 
-let of_registers (meeting : Meeting.t) (spot : Spot.t) (ray : Raw_ray.t) =
+let of_registers ~primitive (meeting : Meeting.t) (spot : Spot.t)
+    (ray : Raw_ray.t) =
   {
     number = meeting.number + 1;
+    primitive;
     part = meeting.part;
     t = ray.reach;
     point = Spot.point spot;

@@ -5,12 +5,14 @@ open Registers
 (* What blocks the shadow ray is of interest to an observer only. *)
 let tell_blocker observe t light =
   let shadow = t.shadow_ray in
-  t.finder.nearest shadow t.meeting;
+  t.shadow_finder.nearest shadow t.meeting;
   let { Vec3.x; y; z } = Ray.at (Ray.of_raw shadow) shadow.reach in
   let point = Offset.(Vec3.make (within x) (within y) (within z)) in
+  let number = Prepared.caster t.prepared t.meeting.number in
+  let primitive = Prepared.primitive t.prepared ~number ~part:t.meeting.part in
   observe
     (Event.Blocked
-       { light; by = t.meeting.number + 1; t = shadow.reach; point })
+       { light; by = number + 1; primitive; t = shadow.reach; point })
 
 (* Whether something is in the way of the shadow ray. *)
 let is_blocked t light =
@@ -21,7 +23,7 @@ let is_blocked t light =
   | Some observe ->
       observe (Event.Shadow_ray { light; ray = Ray.of_raw t.shadow_ray }));
   let reach = t.shadow_ray.reach in
-  let blocked = t.finder.blocked light t.shadow_ray in
+  let blocked = t.shadow_finder.blocked light t.shadow_ray in
   if blocked then (
     tally.blocked <- tally.blocked + 1;
     match t.observe with
@@ -38,15 +40,25 @@ let tell_facing_away t light =
   | Some observe ->
       observe (Event.Faces_away { light; cosine = t.incidence.cosine })
 
-let tell_lit t light =
+(* The first of the shadowless objects that light goes through. *)
+let passed t has_way =
+  if has_way && Option.is_some t.prepared.casters then (
+    let reach = t.shadow_ray.reach in
+    t.finder.nearest t.shadow_ray t.meeting;
+    t.shadow_ray.reach <- reach;
+    if Meeting.is_none t.meeting then None else Some (t.meeting.number + 1))
+  else None
+
+let tell_lit t light ~has_way =
   match t.observe with
   | None -> ()
   | Some observe ->
+      let past = passed t has_way in
       let { Light.cosine; falloff } = t.incidence
       and gives = Raw_color.create () in
       Light.add t.prepared.lights.(light - 1) t.incidence gives;
       let contribution = Raw_color.to_color gives in
-      observe (Event.Lit { light; cosine; falloff; contribution })
+      observe (Event.Lit { light; cosine; falloff; contribution; past })
 
 (* Adds what the light of this number, from 1, gives. *)
 let add t number light =
@@ -55,7 +67,7 @@ let add t number light =
     let has_way = Light.aim light t.spot t.shadow_ray in
     if not (has_way && is_blocked t number) then (
       Light.add light t.incidence t.light;
-      tell_lit t number))
+      tell_lit t number ~has_way))
   else tell_facing_away t number
 
 let gather t =

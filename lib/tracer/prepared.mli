@@ -8,14 +8,21 @@ type t = private {
   scene : Scene.t;
   lights : Light.t array;
   objects : Object.t array;
-  shapes : Shape.t array;  (** of the objects *)
+  shapes : Shape.t array;
+      (** of the objects; faces of solids coincide within the usual offset *)
   lobes : float array;
       (** what surfaces denote, row by row; see {!Raylab_scene.Raw_lobes} *)
   rows : int array;
       (** where the row of each object's surface starts; {!varies} if that is
-          to be asked at each point *)
+          to be asked at each point, {!of_primitives} if each primitive has its
+          own *)
+  primitive_rows : int array array;
+      (** the same for the primitives of each object, if any has some *)
   levels : int;  (** how deep surfaces nest, {!Raylab_scene.Surface.levels} *)
   index : Finder.index;
+  casters : int array option;
+      (** the numbers of the objects that shadow rays meet; [None] for all *)
+  shadow_index : Finder.index;  (** over these; see {!caster} *)
   offset : float;  (** the usual one; see {!Raylab_geometry.Offset} *)
 }
 (** The type for prepared scenes. *)
@@ -38,6 +45,26 @@ val numbered_object : t -> int -> Object.t
 
 val numbered_light : t -> int -> Light.t
 (** [numbered_light t k] is {!numbered_object} for lights. *)
+
+(** {1 By number}
+
+    Here objects are counted from 0, as they lie in the arrays. *)
+
+val caster : t -> int -> int
+(** [caster t k] is the number of what [t.shadow_index] calls [k]. *)
+
+val primitive : t -> number:int -> part:int -> int option
+(** [primitive t ~number ~part] is which primitive, from 1, [part] of the
+    object belongs to; [None] if it is no solid. *)
+
+val surface : t -> number:int -> part:int -> Surface.t
+(** [surface t ~number ~part] is the surface of that part. *)
+
+val row : t -> number:int -> part:int -> int
+(** [row t ~number ~part] is where its row starts, or {!varies}. *)
+
+val of_primitives : int
+(** [of_primitives] is -2. *)
 
 val varies : int
 (** [varies] is -1. *)

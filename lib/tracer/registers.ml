@@ -5,6 +5,7 @@ type t = {
   prepared : Prepared.t;
   observe : (Event.t -> unit) option;
   finder : Finder.t;
+  shadow_finder : Finder.t;
   tally : Tally.t;
   ray : Raw_ray.t;
   shadow_ray : Raw_ray.t;
@@ -17,10 +18,15 @@ type t = {
 }
 
 let create ?observe (prepared : Prepared.t) =
+  let finder = prepared.index () in
   {
     prepared;
     observe;
-    finder = prepared.index ();
+    finder;
+    shadow_finder =
+      (match prepared.casters with
+      | None -> finder
+      | Some _ -> prepared.shadow_index ());
     tally = Tally.create ();
     ray = Raw_ray.create ();
     shadow_ray = Raw_ray.create ();

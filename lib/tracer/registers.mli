@@ -12,6 +12,7 @@ type t = {
   prepared : Prepared.t;
   observe : (Event.t -> unit) option;  (** who is told of every event *)
   finder : Finder.t;
+  shadow_finder : Finder.t;  (** of what shadow rays meet *)
   tally : Tally.t;
   ray : Raw_ray.t;  (** the ray of the chain *)
   shadow_ray : Raw_ray.t;

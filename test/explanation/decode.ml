@@ -33,19 +33,29 @@ let light json : Explain.light =
         let get = get [ "cosine" ] in
         (Explain.Faces_away { cosine = float (get "cosine") }, get)
     | "blocked" ->
-        let get = get [ "shadow_ray"; "by"; "t"; "point" ] in
-        let by, blocker, place = object_ (get "by") in
+        let by, blocker, place = object_ (member "by" json) in
+        let names, primitive = primitive json blocker in
+        let get = get ([ "shadow_ray"; "by" ] @ names @ [ "t"; "point" ]) in
         let shadow_ray = shadow_ray (get "shadow_ray") in
         let point = vector (get "point") in
-        ( Blocked { shadow_ray; by; blocker; place; t = float (get "t"); point },
-          get )
+        let t = float (get "t") in
+        (Blocked { shadow_ray; by; blocker; primitive; place; t; point }, get)
     | "lit" ->
-        let get = get [ "shadow_ray"; "cosine"; "falloff"; "contribution" ] in
+        let names = if has "past" json then [ "past" ] else [] in
+        let get =
+          get ([ "shadow_ray"; "cosine"; "falloff"; "contribution" ] @ names)
+        in
+        let past =
+          if names = [] then None
+          else
+            let number, object_, place = object_ (get "past") in
+            Some { Explain.number; object_; place }
+        in
         let shadow_ray = optional shadow_ray (get "shadow_ray") in
         let cosine = float (get "cosine")
         and falloff = float (get "falloff")
         and contribution = color (get "contribution") in
-        (Lit { shadow_ray; cosine; falloff; contribution }, get)
+        (Lit { shadow_ray; cosine; falloff; contribution; past }, get)
     | other -> wrong other
   in
   let light =
@@ -97,17 +107,22 @@ and term json : Explain.term =
   { source; color = color (get "color"); ray }
 
 and hit json : Explain.surface_hit =
+  let number, object_, place = object_ (member "object" json) in
+  let primitive_names, primitive = primitive json object_ in
   let names =
-    [ "object"; "t"; "point"; "normal"; "outside"; "part"; "own_point" ]
+    ("object" :: primitive_names)
+    @ [ "t"; "point"; "normal"; "outside"; "part"; "own_point" ]
     @ [ "offset"; "emission"; "albedo"; "mirror"; "lights" ]
   in
   let get = members names json in
-  let number, object_, place = object_ (get "object") in
+  let index = Option.map (fun p -> p.Explain.index) primitive in
+  let { Object.surface; _ } = Object.primitive object_ index in
   let own_point = vector (get "own_point") in
   {
     hit =
       {
         number;
+        primitive = index;
         part = int (get "part");
         t = float (get "t");
         point = vector (get "point");
@@ -117,8 +132,9 @@ and hit json : Explain.surface_hit =
         offset = float (get "offset");
       };
     object_;
+    primitive;
     place;
-    surface = Surface.at object_.surface own_point;
+    surface = Surface.at surface own_point;
     lobes =
       {
         emission = color (get "emission");

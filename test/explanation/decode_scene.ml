@@ -95,9 +95,58 @@ let changes : Yojson.Safe.t -> string list = function
   | `Assoc found when List.mem_assoc "modifiers" found -> [ "modifiers" ]
   | _ -> []
 
+let has name : Yojson.Safe.t -> bool = function
+  | `Assoc found -> List.mem_assoc name found
+  | _ -> false
+
+let plain_parts json = [ "shape"; "surface" ] @ changes json
+
+(* [solid json] is the words for what is put together, or for a primitive. *)
+let rec solid json =
+  if has "primitive" json then
+    let parts = plain_parts json in
+    let get = members ("primitive" :: parts) json in
+    List.concat_map (fun part -> written (get part)) parts
+  else
+    let get = members [ "kind"; "parts" ] json in
+    (text (get "kind") :: List.concat (list solid (get "parts"))) @ [ "end" ]
+
+(* Primitives are told without their places. *)
+let unplaced (o : Object.t) =
+  match o.shape with
+  | Solid { tree; _ } ->
+      let primitive m = Object.with_origin Origin.Unknown o.primitives.(m) in
+      let solid = Object.solid (Solid.map_tree primitive tree) in
+      if o.is_shadowless then Object.shadowless solid else solid
+  | _ -> o
+
 let object_ json =
-  let parts = [ "shape"; "surface" ] @ changes json in
-  let get = members (("number" :: place_members json) @ parts) json in
-  let o = read (List.concat_map (fun part -> written (get part)) parts) in
+  let parts = if has "solid" json then [ "solid" ] else plain_parts json in
+  let shadowless = if has "shadowless" json then [ "shadowless" ] else [] in
+  let get =
+    members (("number" :: place_members json) @ parts @ shadowless) json
+  in
+  let words part =
+    if part = "solid" then solid (get part) else written (get part)
+  in
+  let o = read (List.concat_map words parts @ shadowless) in
   let origin = origin json in
-  (int (get "number"), { o with origin }, Build.place origin)
+  ( int (get "number"),
+    Object.with_origin origin (unplaced o),
+    Build.place origin )
+
+let primitive json (o : Object.t) =
+  if not (has "primitive" json) then ([], None)
+  else
+    let json = member "primitive" json in
+    let names = ("number" :: place_members json) @ [ "taken_away" ] in
+    let get = members names json in
+    let index = int (get "number") in
+    let origin = origin json in
+    let is_taken_away = bool (get "taken_away") in
+    let place = Build.place origin in
+    let object_ =
+      Object.with_origin origin (Object.primitive o (Some index))
+    in
+    ( [ "primitive" ],
+      Some { Raylab_tracer.Explain.index; object_; place; is_taken_away } )

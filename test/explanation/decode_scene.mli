@@ -31,6 +31,9 @@ val members : string list -> Yojson.Safe.t -> string -> Yojson.Safe.t
 val member : string -> Yojson.Safe.t -> Yojson.Safe.t
 (** [member name json] is this member of an object. *)
 
+val has : string -> Yojson.Safe.t -> bool
+(** [has name json] is whether it has this member. *)
+
 val kind : Yojson.Safe.t -> string
 (** [kind json] is the member [kind]. *)
 
@@ -44,3 +47,10 @@ val origin : Yojson.Safe.t -> Origin.t
 
 val object_ : Yojson.Safe.t -> int * Object.t * Provenance.t option
 (** [object_ json] is an OBJECT, its number and its place. *)
+
+val primitive :
+  Yojson.Safe.t ->
+  Object.t ->
+  string list * Raylab_tracer.Explain.primitive option
+(** [primitive json o] is the primitive of [o] that [json] has, and the name of
+    the member that tells of it, if it has one. *)

@@ -101,7 +101,7 @@ let test_glow () =
 (* {1 Objects} *)
 
 let ball surface = sphere (v 0. 0. 0.) 1. surface
-let named surface = Naming.by_look 3 (ball surface) (place (at_line 8))
+let named surface = Naming.by_look 3 (ball surface) surface (place (at_line 8))
 let diffusive r g b = Surface.diffusive (rgb r g b)
 
 let test_objects () =
@@ -136,9 +136,9 @@ let test_objects () =
   check "without a line" "red plane (object 1)"
     (Naming.by_look 1
        (plane (v 0. 0. 0.) (v 0. 1. 0.) (diffusive 1. 0. 0.))
-       None);
+       (diffusive 1. 0. 0.) None);
   check "in another file" "mirror (sphere 3, line 7 of wood.scene)"
-    (Naming.by_look 3 (ball reflective) (place (at_line_of_wood 7)));
+    (Naming.by_look 3 (ball reflective) reflective (place (at_line_of_wood 7)));
   check "by number" "sphere 2 (line 5)"
     (Naming.by_number 2 (ball reflective) (place (at_line 5)));
   check "by number, in another file" "sphere 2 (line 5 of wood.scene)"

@@ -21,7 +21,7 @@ let verdict = function
   | Explain.Faces_away { cosine } -> number cosine
   | Blocked { shadow_ray; t; point; _ } ->
       ray shadow_ray && number t && vec3 point
-  | Lit { shadow_ray; cosine; falloff; contribution } ->
+  | Lit { shadow_ray; cosine; falloff; contribution; _ } ->
       Option.fold ~none:true ~some:ray shadow_ray
       && number cosine && number falloff && color contribution
 

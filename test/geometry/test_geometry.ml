@@ -20,6 +20,7 @@ let () =
       Test_flat.suite;
       Test_shape.suite;
       Test_placed.suite;
+      Test_solid.suite;
       Test_finder.suite;
       Test_bvh_leaves.suite;
       Test_bvh.suite;

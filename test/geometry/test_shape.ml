@@ -160,6 +160,16 @@ let rec holds_point shape point =
       Float.hypot (across -. ring) height < tube
   | Disc _ | Triangle _ | Quad _ -> false
   | Placed p -> holds_point p.own (Affine.point p.back point)
+  | Solid s -> tree_holds s.members point s.tree
+
+and tree_holds members point : int Solid.tree -> bool = function
+  | Member m -> holds_point members.(m) point
+  | Combined (operation, parts) -> (
+      let holds = List.map (tree_holds members point) parts in
+      match operation with
+      | Union -> List.mem true holds
+      | Intersection -> not (List.mem false holds)
+      | Difference -> List.hd holds && not (List.mem true (List.tl holds)))
 
 (* Far enough from every crossing for rounding not to decide. *)
 let between_crossings ts =

@@ -129,10 +129,26 @@ let rec shape : Shape.t -> string = function
       Printf.sprintf "triangle{%s,%s,%s" (vector a) (vector b) (vector c)
   | Quad q -> quad (Quad.corners q)
   | Placed { own; out; _ } -> shape own ^ matrix out
+  | Solid _ -> invalid_arg "POV-Ray: a solid without surfaces"
+
+let rec write_solid channel primitives after : int Solid.tree -> unit =
+  function
+  | Member m ->
+      output_string channel (shape primitives.(m).Object.shape);
+      write_surface channel primitives.(m).surface
+  | Combined (operation, parts) ->
+      Printf.fprintf channel "%s{\n" (Solid.word operation);
+      List.iter (write_solid channel primitives "") parts;
+      Printf.fprintf channel "%s}\n" after
 
 let write_object channel (o : Object.t) =
-  output_string channel (shape o.shape);
-  write_surface channel o.surface
+  let shadow = if o.is_shadowless then " no_shadow" else "" in
+  match o.shape with
+  | Solid { tree; _ } -> write_solid channel o.primitives shadow tree
+  | own ->
+      output_string channel (shape own);
+      output_string channel shadow;
+      write_surface channel o.surface
 
 (* POV-Ray counts the primary ray as level 1, as raylab does, and allows at
    most 256. It would also end a chain that cannot change a pixel any more. *)

@@ -133,7 +133,7 @@ let simple_shape number =
       (1, quad number);
     ]
 
-let shape number =
+let changed_shape number =
   let changed shape change =
     try Shape.transformed change shape with Invalid_argument _ -> shape
   in
@@ -141,6 +141,31 @@ let shape number =
     [
       (3, simple_shape number);
       (1, map2 changed (simple_shape number) (change number));
+    ]
+
+(* Up to three parts, nested up to three deep. *)
+let solid_tree member =
+  let rec at_depth n =
+    if n = 0 then map (fun m -> Solid.Member m) member
+    else
+      let* operation = oneofl Solid.[ Union; Intersection; Difference ]
+      and* parts = list_size (1 -- 3) (at_depth (n - 1)) in
+      pure (Solid.Combined (operation, parts))
+  in
+  let* depth = 1 -- 3 in
+  at_depth depth
+
+let solid_shape number =
+  let ball = Shape.sphere ~centre:(Vec3.make 0. 0. 2.) ~radius:2. in
+  map
+    (fun shape -> if Shape.is_solid shape then shape else ball)
+    (changed_shape number)
+
+let shape number =
+  frequency
+    [
+      (3, changed_shape number);
+      (1, map Shape.solid (solid_tree (solid_shape number)));
     ]
 
 let color number =
@@ -181,6 +206,18 @@ let light number =
       (fun (d : Direction.t) ->
         Light.directional ~intensity ~color ~direction:(d :> Vec3.t))
       (direction number)
+
+let object_ number =
+  let plain =
+    map2 (fun s f -> Object.make s f) (changed_shape number) (surface number)
+  in
+  let part =
+    map2 (fun s f -> Object.make s f) (solid_shape number) (surface number)
+  in
+  let solid = map (fun tree -> Object.solid tree) (solid_tree part) in
+  let* o = frequency [ (5, plain); (1, solid) ]
+  and* is_shadowless = frequency [ (7, pure false); (1, pure true) ] in
+  pure (if is_shadowless then Object.shadowless o else o)
 
 let film =
   let any =
@@ -233,8 +270,5 @@ let scene ?max_side number =
   and* background = color number
   and* ray_depth = 0 -- 6
   and* lights = list_size (0 -- 4) (light number)
-  and* objects =
-    list_size (0 -- 6)
-      (map2 (fun s f -> Object.make s f) (shape number) (surface number))
-  in
+  and* objects = list_size (0 -- 6) (object_ number) in
   pure (Scene.make ~lens ~film ~background ~ray_depth ~lights ~objects camera)

@@ -40,8 +40,17 @@ val simple_shape : float Gen.t -> Shape.t Gen.t
 (** As it is written, without a change. What numbers do not make, such as a
     triangle of no width, is the ball of radius 1. *)
 
-val shape : float Gen.t -> Shape.t Gen.t
+val changed_shape : float Gen.t -> Shape.t Gen.t
 (** Some of them changed. *)
+
+val solid_shape : float Gen.t -> Shape.t Gen.t
+(** Only those that have an inside. *)
+
+val solid_tree : 'member Gen.t -> 'member Solid.tree Gen.t
+(** Up to three parts each, nested up to three deep. *)
+
+val shape : float Gen.t -> Shape.t Gen.t
+(** A changed shape, or a solid of such. *)
 
 (** {1 Scenes} *)
 
@@ -60,6 +69,9 @@ val film : Film.t Gen.t
 
 val lens : float Gen.t -> Lens.t Gen.t
 (** Some of them open. *)
+
+val object_ : float Gen.t -> Object.t Gen.t
+(** Solids among them, and shadowless ones. *)
 
 val scene : ?max_side:int -> float Gen.t -> Scene.t Gen.t
 (** Pictures of up to [max_side] pixels a side, 12 by default, up to four

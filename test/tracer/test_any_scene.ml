@@ -1,5 +1,6 @@
 (* What holds of every scene, however strange its numbers. *)
 
+open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -58,11 +59,18 @@ let kept_in_gives_nothing =
       in
       List.for_all gives_nothing scene.lights)
 
-(* The first of the objects that are hit at the least distance. *)
-let nearest_object (scene : Scene.t) ray =
+let surface_of (o : Object.t) part =
+  match o.shape with
+  | Solid s -> o.primitives.(Solid.member_of s ~part).surface
+  | _ -> o.surface
+
+(* That of the first of the objects that are hit at the least distance. *)
+let nearest_surface (scene : Scene.t) ray =
+  let usual = Offset.of_scale (Camera.scale scene.camera) in
   let nearer (best, limit) (o : Object.t) =
-    let t = Ask.distance o.shape ray in
-    if t < limit then (Some o, t) else (best, limit)
+    match Shape.nearest (Shape.with_tolerance usual o.shape) ray with
+    | Some (t, part) when t < limit -> (Some (surface_of o part), t)
+    | _ -> (best, limit)
   in
   fst (List.fold_left nearer (None, infinity) scene.objects)
 
@@ -77,10 +85,10 @@ let lobes =
       in
       let ray = Camera.primary_ray scene.camera ~x:0 ~y:0 in
       let expected =
-        match nearest_object scene ray with
+        match nearest_surface scene ray with
         | None -> scene.background
-        | Some o ->
-            let { Lobes.emission; mirror; _ } = Surface.lobes o.surface in
+        | Some surface ->
+            let { Lobes.emission; mirror; _ } = Surface.lobes surface in
             Color.add emission (Color.multiply mirror scene.background)
       in
       Alcotest.equal (Same.color_near 1e-9) expected

@@ -50,7 +50,9 @@ let at_its_place (shape : Shape.t) own_point =
 let own_point =
   Property.holds "an own point is the point, as exactly on the shape as can be"
     QCheck2.Gen.(
-      pair (Generate.shape Generate.everyday) (Generate.ray Generate.everyday))
+      pair
+        (Generate.changed_shape Generate.everyday)
+        (Generate.ray Generate.everyday))
     (fun (shape, ray) ->
       match hit [ Object.make shape Surface.reflective ] ray with
       | None -> true
@@ -62,7 +64,9 @@ let own_point =
 let finite =
   Property.holds "finite, whatever the numbers" ~count:5000
     QCheck2.Gen.(
-      pair (Generate.shape Generate.extreme) (Generate.ray Generate.extreme))
+      pair
+        (Generate.changed_shape Generate.extreme)
+        (Generate.ray Generate.extreme))
     (fun (shape, ray) ->
       match hit [ Object.make shape Surface.reflective ] ray with
       | None -> true

@@ -28,13 +28,10 @@ let moved_camera motion (camera : Camera.t) =
     camera
 
 let moved motion (scene : Scene.t) =
-  let object_ (o : Object.t) =
-    Object.make (Shape.transformed motion o.shape) o.surface
-  in
   Scene.make ~lens:scene.lens ~film:scene.film ~background:scene.background
     ~ray_depth:scene.ray_depth
     ~lights:(List.map (Light.transformed motion) scene.lights)
-    ~objects:(List.map object_ scene.objects)
+    ~objects:(List.map (Object.transformed motion) scene.objects)
     (moved_camera motion scene.camera)
 
 let near (a : Color.t) (b : Color.t) =

@@ -8,6 +8,12 @@ open Test_support
 
 let scale_shape k = Shape.transformed Change.(of_modifiers [ Scaled k ])
 
+let scale_object k (o : Object.t) =
+  match o.primitives with
+  | [||] when not o.is_shadowless ->
+      Object.make (scale_shape k o.shape) o.surface
+  | _ -> Object.transformed Change.(of_modifiers [ Scaled k ]) o
+
 let scale_light k (light : Light.t) =
   match light.source with
   | Directional _ -> light
@@ -33,10 +39,7 @@ let scale k (scene : Scene.t) =
   Scene.make ~film:scene.film ~background:scene.background
     ~ray_depth:scene.ray_depth
     ~lights:(List.map (scale_light k) scene.lights)
-    ~objects:
-      (List.map
-         (fun (o : Object.t) -> Object.make (scale_shape k o.shape) o.surface)
-         scene.objects)
+    ~objects:(List.map (scale_object k) scene.objects)
     (scale_camera k scene.camera)
 
 (* Rounding differs, so a level may. *)

@@ -192,6 +192,7 @@ let rec intersections (shape : Shape.t) ray =
       let o = undone undo_point modifiers o
       and d = undone undo_vector modifiers d in
       intersections own { ray with o; d }
+  | Solid _ -> assert false (* see Solids *)
 
 (* Of faces, each with how far away it is, the nearest one's normal. *)
 let of_nearest faces =
@@ -231,6 +232,7 @@ let rec outward (shape : Shape.t) p =
         dot (undone undo_vector modifiers (Vec3.make x y z)) n
       in
       unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
+  | Solid _ -> assert false
 
 let frustum_size (f : Frustum.t) =
   List.fold_left Float.max f.length [ f.radius_a; f.radius_b ]
@@ -241,16 +243,31 @@ let size : Shape.t -> float = function
   | Cylinder c -> frustum_size (c :> Frustum.t)
   | Cone c -> frustum_size (c :> Frustum.t)
   | Torus { ring; tube; _ } -> ring +. tube
-  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Placed _ -> 0.
+  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Placed _ | Solid _ -> 0.
 
-(* {1 The camera} *)
+let inside_frustum (f : Frustum.t) p =
+  let y, q = from_axis f.a f.axis p in
+  0. < y && y < f.length && length q < f.radius_a +. (f.slope *. y)
 
-let cross (u : Vec3.t) (v : Vec3.t) =
-  Vec3.make
-    ((u.y *. v.z) -. (u.z *. v.y))
-    ((u.z *. v.x) -. (u.x *. v.z))
-    ((u.x *. v.y) -. (u.y *. v.x))
+let rec inside (shape : Shape.t) p =
+  match shape with
+  | Sphere s -> length (p - centre s) < s.radius
+  | Plane { point = q; normal } -> dot (p - q) (normal :> Vec3.t) < 0.
+  | Placed { own; modifiers; _ } -> inside own (undone undo_point modifiers p)
+  | Box { low; high } ->
+      low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y && low.z < p.z
+      && p.z < high.z
+  | Cylinder c -> inside_frustum (c :> Frustum.t) p
+  | Cone c -> inside_frustum (c :> Frustum.t) p
+  | Torus { centre; axis; ring; tube } ->
+      let y, q = from_axis centre axis p in
+      let x = length q -. ring in
+      (x *. x) +. (y *. y) < tube *. tube
+  | Disc _ | Triangle _ | Quad _ | Solid _ -> assert false
 
+(* {1 The offset} *)
+
+let absolute { Vec3.x; y; z } = abs_float x +. abs_float y +. abs_float z
 let tangent degrees = Float.tan (degrees *. Float.pi /. 180.)
 
 (* W, H and D *)
@@ -263,31 +280,120 @@ let canvas (camera : Camera.t) =
       let w = 2. *. d *. tangent (fov /. 2.) in
       (w, w *. float_of_int camera.height /. float_of_int camera.width, d)
 
+let usual (scene : Scene.t) =
+  let w, h, d = canvas scene.camera in
+  1e-5 *. Float.min (Float.min w h) d
+
+let offset scene size p { o; _ } =
+  Float.max (usual scene) (ldexp (size +. absolute p +. absolute o) (-44))
+
+(* {1 Solids}
+
+   A face is where a line goes through the surface of an object. *)
+
+type face = { t : float; shape : Shape.t; surface : Surface.t; sign : float }
+
+let rec truth is_in : int Solid.tree -> bool = function
+  | Member m -> is_in m
+  | Combined (Union, parts) -> List.exists (truth is_in) parts
+  | Combined (Intersection, parts) -> List.for_all (truth is_in) parts
+  | Combined (Difference, parts) ->
+      truth is_in (List.hd parts)
+      && not (List.exists (truth is_in) (List.tl parts))
+
+(* The member that stands where the truth goes from [before] to [after], and 1,
+   or -1 if it does so by being taken away. *)
+let rec standing before after : int Solid.tree -> int * float = function
+  | Member m -> (m, 1.)
+  | Combined (operation, parts) as whole ->
+      let sign k = if operation = Difference && k > 0 then -1. else 1. in
+      let is_up = truth after whole in
+      let changes (k, part) =
+        truth before part <> truth after part
+        && truth after part = (is_up = (sign k > 0.))
+      in
+      let numbered = List.mapi (fun k part -> (k, part)) parts in
+      let k, part = List.find changes numbered in
+      let m, inner = standing before after part in
+      (m, sign k *. inner)
+
+(* Crossings that are within the offset of the first, each of another member. *)
+let rec coinciding scene ray = function
+  | [] -> []
+  | (t, m) :: rest ->
+      let e = offset scene 0. (at ray t) ray in
+      let rec split members taken = function
+        | (t', m') :: rest when t' <= t +. e && not (List.mem m' members) ->
+            split (m' :: members) ((t', m') :: taken) rest
+        | rest -> (List.rev taken, rest)
+      in
+      let taken, rest = split [ m ] [ (t, m) ] rest in
+      taken :: coinciding scene ray rest
+
+let solid_faces scene (tree : int Solid.tree) (primitives : Object.t array) ray
+    =
+  let crossings =
+    Array.to_list primitives
+    |> List.mapi (fun m (o : Object.t) ->
+           List.map (fun t -> (t, m)) (intersections o.shape ray))
+    |> List.concat |> List.sort compare
+  in
+  let groups = coinciding scene ray crossings in
+  let first group = fst (List.hd group)
+  and last group = fst (List.hd (List.rev group)) in
+  let is_in t m = inside primitives.(m).Object.shape (at ray t) in
+  let rec faces before = function
+    | [] -> []
+    | group :: rest ->
+        let after =
+          match rest with
+          | [] -> is_in (last group +. 1.)
+          | next :: _ -> is_in ((last group +. first next) /. 2.)
+        in
+        let here =
+          if truth before tree = truth after tree then []
+          else
+            let m, sign = standing before after tree in
+            let t, _ = List.find (fun (_, m') -> m = m') group in
+            let { Object.shape; surface; _ } = primitives.(m) in
+            [ { t; shape; surface; sign } ]
+        in
+        here @ faces after rest
+  in
+  match groups with
+  | [] -> []
+  | group :: _ -> faces (is_in (first group -. 1.)) groups
+
+let faces scene ray (o : Object.t) =
+  match o.shape with
+  | Solid { tree; _ } -> solid_faces scene tree o.primitives ray
+  | shape ->
+      List.map
+        (fun t -> { t; shape; surface = o.surface; sign = 1. })
+        (intersections shape ray)
+
+(* {1 The camera} *)
+
+let cross (u : Vec3.t) (v : Vec3.t) =
+  Vec3.make
+    ((u.y *. v.z) -. (u.z *. v.y))
+    ((u.z *. v.x) -. (u.x *. v.z))
+    ((u.x *. v.y) -. (u.y *. v.x))
+
 (* {1 Hits} *)
 
-(* All that count, each a distance and an object. *)
-let hits (scene : Scene.t) ray =
-  List.concat_map
-    (fun (o : Object.t) ->
-      intersections o.shape ray
-      |> List.filter (fun t -> 0. < t && t < ray.rho)
-      |> List.map (fun t -> (t, o)))
-    scene.objects
+(* All that count. *)
+let hits (scene : Scene.t) objects ray =
+  List.concat_map (faces scene ray) objects
+  |> List.filter (fun { t; _ } -> 0. < t && t < ray.rho)
 
-let nearest scene ray =
-  let nearer best (t, o) =
-    match best with Some (t', _) when t' <= t -> best | _ -> Some (t, o)
+let nearest (scene : Scene.t) ray =
+  let nearer best face =
+    match best with Some b when b.t <= face.t -> best | _ -> Some face
   in
-  List.fold_left nearer None (hits scene ray)
+  List.fold_left nearer None (hits scene scene.objects ray)
 
 let facing { d; _ } n = if dot d n > 0. then -n else n
-
-let offset (scene : Scene.t) (shape : Shape.t) p { o; _ } =
-  let w, h, d = canvas scene.camera in
-  let absolute { Vec3.x; y; z } = abs_float x +. abs_float y +. abs_float z in
-  Float.max
-    (1e-5 *. Float.min (Float.min w h) d)
-    (ldexp (size shape +. absolute p +. absolute o) (-44))
 
 (* {1 Surfaces} *)
 
@@ -323,7 +429,11 @@ let shadow_ray (light : Light.t) a e =
   | Spherical s -> { o = a; d = unit (s - a); rho = length (s - a) -. e }
 
 let light scene p n e =
-  let reaches light = hits scene (shadow_ray light (p + (e * n)) e) = [] in
+  let casting = List.filter (fun (o : Object.t) -> not o.is_shadowless) in
+  let objects = casting scene.Scene.objects in
+  let reaches light =
+    hits scene objects (shadow_ray light (p + (e * n)) e) = []
+  in
   let gives light =
     if reaches light then received light p n else Color.black
   in
@@ -334,9 +444,10 @@ let light scene p n e =
 let rec trace (scene : Scene.t) left ray =
   match if left = 0 then None else nearest scene ray with
   | None -> scene.background
-  | Some (t, { shape; surface; _ }) ->
+  | Some { t; shape; surface; sign } ->
       let p = at ray t in
-      let n = facing ray (outward shape p) and e = offset scene shape p ray in
+      let n = facing ray (sign * outward shape p)
+      and e = offset scene (size shape) p ray in
       let emission, albedo, mirror = denotes surface in
       let reflected =
         { o = p + (e * n); d = mirrored ray.d n; rho = infinity }
