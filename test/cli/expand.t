@@ -20,8 +20,8 @@
   lights
   directional 1 1 1 1 0.5773502691896258 -0.5773502691896258 0.5773502691896258  # line 6
   objects
-  sphere 0 0 8 1 diffusive 1 0 0  # line 1 of ball.scene
-  sphere 0 0 8 2 diffusive 1 0 0  # line 1 of ball.scene
+  sphere 0 0 8 1 diffusive 1 0 0  # line 1 of ball.scene, in ball(r: 0.5), i = 1, line 3
+  sphere 0 0 8 2 diffusive 1 0 0  # line 1 of ball.scene, in ball(r: 1), i = 2, line 3
 
 That reads back as the same scene, and so does that of every scene of the gallery.
 
