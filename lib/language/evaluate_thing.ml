@@ -125,5 +125,6 @@ let compile block check scope (placed : Syntax.placed) =
     | Thing.Light _, Some { span; _ } -> no_shadow span
     | Light light, None -> Thing.Light (changed frame changes light)
     | Object object_, None -> Object (changed frame changes object_)
-    | Object object_, Some _ -> Object (shadowless (changed frame changes object_))
+    | Object object_, Some _ ->
+        Object (shadowless (changed frame changes object_))
     | (Surface _ as surface), _ -> surface

@@ -21,7 +21,8 @@ let nodes sink = List.rev sink.nodes
 (* What is around the nodes that are still to be placed. *)
 type around = { change : Change.t; placed : Origin.placed; shadowless : bool }
 
-let at_once = { change = Change.identity; placed = At_once; shadowless = false }
+let at_once =
+  { change = Change.identity; placed = At_once; shadowless = false }
 
 let changed around change =
   { around with change = Change.compose around.change change }
@@ -81,7 +82,8 @@ let rec place sink = function
           Change.share around.change;
           place sink ((around, nodes) :: rest)
       | Group { grouping = Solid _; origin; size; _ } ->
-          if size.count > 0 then add_object sink around (solid around origin node);
+          if size.count > 0 then
+            add_object sink around (solid around origin node);
           place sink rest
       | Changed { change; node; _ } ->
           place sink ((changed around change, [ node ]) :: rest)

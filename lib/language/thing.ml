@@ -64,7 +64,9 @@ let unfit_object (o : Object.t) =
 let unfit = function
   | Leaf o -> unfit_object o
   | Lamp _ -> Some light
-  | Group { size; _ } | Changed { size; _ } | Named { size; _ }
+  | Group { size; _ }
+  | Changed { size; _ }
+  | Named { size; _ }
   | Shadowless { size; _ } ->
       size.unfit
 
@@ -74,7 +76,9 @@ let one = { count = 1; visits = 1; depth = 0; unfit = None }
 
 let size = function
   | Leaf _ | Lamp _ -> one
-  | Group { size; _ } | Changed { size; _ } | Named { size; _ }
+  | Group { size; _ }
+  | Changed { size; _ }
+  | Named { size; _ }
   | Shadowless { size; _ } ->
       size
 

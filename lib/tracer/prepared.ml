@@ -63,6 +63,7 @@ let deepest objects =
 
 let usual_offset (scene : Scene.t) =
   Offset.of_scale (Camera.scale scene.camera)
+
 (* Those that shadow rays meet, if they are not all. *)
 let casters_of objects =
   if Array.exists (fun (o : Object.t) -> o.is_shadowless) objects then
