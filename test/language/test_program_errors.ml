@@ -133,7 +133,7 @@ let rules =
 ^^^^^^^^^^^^^^ its modifiers leave the range of numbers|};
     check "empty groups in empty groups"
       {|let twice(n) = group if (n > 0) let x = twice(n - 1) x x end end
-twice(300)
+twice(100)
 ^^^^^^^^^^ the evaluation takes more than 100,000,000 steps|};
     check "scaled by nothing"
       {|sphere 0 0 6 1 reflective scaled 0
