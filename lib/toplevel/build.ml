@@ -83,6 +83,15 @@ let rotated axis angle =
 
 let translated way = changed (Translated way)
 
+let combined operation objects =
+  let members = List.map (fun o -> Solid.Member o) objects in
+  Object.solid (Combined (operation, members))
+
+let union objects = combined Union objects
+let intersection objects = combined Intersection objects
+let difference objects = combined Difference objects
+let shadowless = Object.shadowless
+
 let camera =
   Camera.make ~width:640 ~height:480 ~canvas_width:4. ~canvas_height:3.
     ~depth:4.

@@ -139,6 +139,23 @@ val rotated : Vec3.t -> float -> Object.t -> Object.t
 val translated : Vec3.t -> Object.t -> Object.t
 (** [translated way o] is [o], moved by [way]. *)
 
+val shadowless : Object.t -> Object.t
+(** [shadowless o] is [o], which casts no shadow. *)
+
+(** {1 Solids}
+
+    Each raises [Invalid_argument] if there is no object, or one has no inside.
+*)
+
+val union : Object.t list -> Object.t
+(** [union objects] is what is in any of [objects]. *)
+
+val intersection : Object.t list -> Object.t
+(** [intersection objects] is what is in all of [objects]. *)
+
+val difference : Object.t list -> Object.t
+(** [difference objects] is the first of [objects] without all others. *)
+
 (** {1 Scenes} *)
 
 val camera : Camera.t

@@ -147,6 +147,29 @@ twice(100)
                                    ^^^^^ the green of the surface's colour must not be negative, not 0 - 1, which is -1|};
   ]
 
+let solids =
+  [
+    check "a flat shape"
+      {|difference sphere 0 0 6 1 reflective disc 0 0 5 0 0 1 1 reflective end
+                                     ^^^^ a disc cannot be part of a difference: it has no inside|};
+    check "a light"
+      {|union sphere 0 0 6 1 reflective directional 1 1 1 1 0 -1 0 end
+                                ^^^^^^^^^^^ a light cannot be part of a union: it has no inside|};
+    check "a flat shape in a group"
+      {|let both = group sphere 0 0 6 1 reflective quad 0 0 6 1 0 0 0 1 0 reflective end
+intersection both sphere 0 0 6 2 reflective end
+             ^^^^ a quad cannot be part of an intersection: it has no inside|};
+    check "nothing"
+      {|intersection end
+^^^^^^^^^^^^^^^^ an intersection of nothing|};
+    check "a part without a shadow"
+      {|union sphere 0 0 6 1 reflective shadowless sphere 0 0 7 1 reflective end
+      ^^^^^^^^^^^^^^ what is shadowless cannot be part of a union: it would leave a hole in the shadow of the whole|};
+    check "a light without a shadow"
+      {|directional 1 1 1 1 0 -1 0 shadowless
+                           ^^^^^^^^^^ a light has no shadow|};
+  ]
+
 let syntax =
   [
     check "an equals sign of C"
@@ -189,4 +212,5 @@ let a = (p.w)
   ]
 
 let suite =
-  ("Faulty programs", List.concat [ names; kinds; calls; rules; syntax ])
+  ( "Faulty programs",
+    List.concat [ names; kinds; calls; rules; solids; syntax ] )

@@ -33,9 +33,32 @@ let test_numbers () =
   check "[abs(turbulence([0.3, 1.7, -2.2], 3)), 0, 0]"
     (Build.rgb (abs_float (Build.turbulence point 3)) 0. 0.)
 
+(* The objects that the language makes of [text]. *)
+let objects text =
+  let scene =
+    "imWidth 4 imHeight 3 canvWidth 4 canvHeight 3 depth 4 " ^ text
+  in
+  let sources = Raylab_source.Sources.make ~name:"a.scene" scene in
+  match Scene_file.parse sources with
+  | Ok { objects; _ } -> objects
+  | Error _ -> Alcotest.failf "%s is no object" text
+
+let test_solids () =
+  let open Build in
+  let ball z = sphere (vec 0. 0. z) 1. reflective in
+  let check text o =
+    Alcotest.(check (list Test_support.Same.object_)) text (objects text) [ o ]
+  in
+  let two = "sphere 0 0 4 1 reflective sphere 0 0 5 1 reflective end" in
+  check ("union " ^ two) (union [ ball 4.; ball 5. ]);
+  check ("intersection " ^ two) (intersection [ ball 4.; ball 5. ]);
+  check ("difference " ^ two) (difference [ ball 4.; ball 5. ]);
+  check "sphere 0 0 4 1 reflective shadowless" (shadowless (ball 4.))
+
 let suite =
   ( "Build",
     [
       Alcotest.test_case "colours" `Quick test_colors;
       Alcotest.test_case "numbers" `Quick test_numbers;
+      Alcotest.test_case "solids" `Quick test_solids;
     ] )
