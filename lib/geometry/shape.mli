@@ -87,8 +87,8 @@ val with_members : t array -> t -> t
     members; any other shape as it is. *)
 
 val with_tolerance : float -> t -> t
-(** [with_tolerance e shape] is [shape]; if it is a {!Solid}, faces of its
-    members coincide within [e]. *)
+(** [with_tolerance e shape] is [shape]; if it is a {!constructor-Solid}, faces
+    of its members coincide within [e]. *)
 
 (** {1 What is hit}
 

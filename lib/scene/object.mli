@@ -6,8 +6,9 @@ type t = private {
   shape : Shape.t;
   surface : Surface.t;  (** of a solid that of its first primitive *)
   primitives : t array;
-      (** of a solid, whose shape is {!Shape.Solid}, its members, each with its
-          surface and origin; none of any other object *)
+      (** of a solid, whose shape is {!Raylab_geometry.Shape.Solid}, its
+          members, each with its surface and origin; none of any other object
+      *)
   is_shadowless : bool;  (** whether no shadow ray meets it *)
   origin : Origin.t;
 }
@@ -17,14 +18,16 @@ val make : ?origin:Origin.t -> Shape.t -> Surface.t -> t
 (** [make ~origin shape surface] is the object of this shape and surface, whose
     origin is by default unknown.
 
-    Raises [Invalid_argument] if [shape] is a {!Shape.Solid}. *)
+    Raises [Invalid_argument] if [shape] is a {!Raylab_geometry.Shape.Solid}.
+*)
 
 val solid : ?origin:Origin.t -> t Solid.tree -> t
-(** [solid ~origin tree] is the solid that {!Shape.solid} makes of the shapes
-    in [tree]. A solid among them is as if its own tree stood there.
+(** [solid ~origin tree] is the solid that {!Raylab_geometry.Shape.solid} makes
+    of the shapes in [tree]. A solid among them is as if its own tree stood
+    there.
 
-    Raises [Invalid_argument] where {!Shape.solid} does, or if there is no
-    primitive at all. *)
+    Raises [Invalid_argument] where {!Raylab_geometry.Shape.solid} does, or if
+    there is no primitive at all. *)
 
 val primitive : t -> int option -> t
 (** [primitive o k] is the [k]th primitive of the solid [o], from 1; [o] itself
