@@ -44,16 +44,18 @@ let size =
   in
   conv parse ~docv:"WxH" (fun ppf (w, h) -> Format.fprintf ppf "%dx%d" w h)
 
-let samples =
+let count what ~most ~docv =
   let parse text =
     match natural text with
-    | Some n when 1 <= n && n <= Film.max_samples -> Ok n
+    | Some n when 1 <= n && n <= most -> Ok n
     | _ ->
         Error
-          (Printf.sprintf "'%s' is not a number of samples from 1 to %d" text
-             Film.max_samples)
+          (Printf.sprintf "'%s' is not a number of %s from 1 to %d" text what
+             most)
   in
-  conv parse ~docv:"N" Format.pp_print_int
+  conv parse ~docv Format.pp_print_int
+
+let samples = count "samples" ~most:Film.max_samples ~docv:"N"
 
 let exposure =
   let parse text =
@@ -166,15 +168,7 @@ let allow =
   Arg.(value & opt_all folder [] & info [ "allow" ] ~docv:"DIR" ~doc)
 
 let number_of_domains =
-  let parse text =
-    match natural text with
-    | Some n when 1 <= n && n <= Parallel.max_domains -> Ok n
-    | _ ->
-        Error
-          (Printf.sprintf "'%s' is not a number of domains from 1 to %d" text
-             Parallel.max_domains)
-  in
-  conv parse ~docv:"DOMAINS" Format.pp_print_int
+  count "domains" ~most:Parallel.max_domains ~docv:"DOMAINS"
 
 let domains =
   let doc =

@@ -45,7 +45,8 @@ let line text =
 
 let width = 76
 
-(* [filled words] is lines of at most [width] characters, if no word is longer. *)
+(* [filled words] is lines of at most [width] characters, if no word is
+   longer. *)
 let filled words =
   let add (lines, line) word =
     if line = "" then (lines, word)

@@ -91,9 +91,9 @@ let terminal ~greeting =
 (* with which the toplevel asks for a phrase, not for a further line of it *)
 let first_prompt = "# "
 
-(* [reader ~ask] gives the toplevel a line at a time, which it may [ask] for, the
-   first without a mark, and at the end of the input, which ends a phrase that was
-   begun, one more. *)
+(* [reader ~ask] gives the toplevel a line at a time, which it may [ask] for,
+   the first without a mark, and at the end of the input, which ends a phrase
+   that was begun, one more. *)
 let reader ~ask =
   let rest = ref "" in
   let started = ref false in

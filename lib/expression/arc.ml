@@ -7,7 +7,8 @@ let degree = 0x1.ca5dc1a63c1f8p+5
 
 (* base + sign * atan ((a + da) / (b + db)), in degrees, where 0 <= a <= b.
    atan (a / b) = atan c + atan ((a - c b) / (b + c a)), and with c the nearest
-   sixteenth, whose arc is in a table, the series of the other needs six terms. *)
+   sixteenth, whose arc is in a table, the series of the other needs six
+   terms. *)
 let[@inline] from base sign a da b db =
   let q = a /. b in
   if not (q >= 0x1p-200) then

@@ -192,8 +192,8 @@ let depth { centre; axis; ring; tube } point =
 
 (* {1 What is told} *)
 
-(* Around each of 24 places of the ring a circle of the tube; between two of them
-   lies a piece. *)
+(* Around each of 24 places of the ring a circle of the tube; between two of
+   them lies a piece. *)
 let pieces { centre; axis; ring; tube } =
   let w = (axis :> Vec3.t) in
   let slice middle =

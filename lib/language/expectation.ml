@@ -97,8 +97,9 @@ let rule whole before after =
   | ("modifiers" | "some_modifiers"), _, _ ->
       expected "shape"
         ("the next object (" ^ shapes
-        ^ "), or scaled, rotated or translated for the one\n\
-           before. Settings stand before the objects")
+        ^ "), or scaled, stretched, rotated,\n\
+           translated or shadowless for the one before. Settings stand before \
+           the\nobjects")
   | "definition", [ "LET" ], _ ->
       expected "name"
         "a name after let: letters, digits and _, and none of let, for, if, \

@@ -5,8 +5,8 @@
 (* {1 Filtering}
 
    Of a row the differences are packed, of each byte to that of the pixel before
-   it: the filter Sub. On the pictures of the gallery it gives smaller files than
-   choosing the best of all filters for each row by the usual rule does. *)
+   it: the filter Sub. On the pictures of the gallery it gives smaller files
+   than choosing the best of all filters for each row by the usual rule does. *)
 
 let sub = '\001'
 

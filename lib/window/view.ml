@@ -48,7 +48,8 @@ let once_known first load =
 
 let seconds_between_looks = 0.1
 
-(* [every seconds f] is [f] asked at most once in [seconds], and else [false]. *)
+(* [every seconds f] is [f] asked at most once in [seconds], and else
+   [false]. *)
 let every seconds f =
   let last = ref neg_infinity in
   fun () ->
