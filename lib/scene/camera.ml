@@ -93,14 +93,10 @@ let[@inline] set_direction { Viewpoint.right; above; forward; _ } ray x y z =
     ((x *. r.y) +. (y *. u.y) +. (z *. f.y))
     ((x *. r.z) +. (y *. u.z) +. (z *. f.z))
 
-let[@inline] aim
-    { width; height; canvas_width; canvas_height; depth; viewpoint; _ } ~x ~y
-    ~dx ~dy (ray : Raw_ray.t) =
+(* Makes [ray] the one through the point of the canvas that is [across] to the
+   right of its middle and [up] above. *)
+let[@inline] aim_at { depth; viewpoint; _ } across up (ray : Raw_ray.t) =
   let { Viewpoint.eye; _ } = viewpoint in
-  let across = along canvas_width width (float_of_int x +. dx)
-  and up =
-    along canvas_height height (float_of_int (height - 1 - y) +. (1. -. dy))
-  in
   Raw_ray.set_origin ray eye.x eye.y eye.z;
   ray.reach <- infinity;
   let squared = (across *. across) +. (up *. up) +. (depth *. depth) in
@@ -112,6 +108,34 @@ let[@inline] aim
     let direction = Direction.of_vec3_or z_axis (Vec3.make across up depth) in
     let { Vec3.x; y; z } = (direction :> Vec3.t) in
     set_direction viewpoint ray x y z
+
+let[@inline] across { width; canvas_width; _ } x dx =
+  along canvas_width width (float_of_int x +. dx)
+
+let[@inline] up { height; canvas_height; _ } y dy =
+  along canvas_height height (float_of_int (height - 1 - y) +. (1. -. dy))
+
+let aim camera ~x ~y ~dx ~dy ray =
+  aim_at camera (across camera x dx) (up camera y dy) ray
+
+(* {1 Centres} *)
+
+type centres = { columns : float array; rows : float array }
+
+let no_centres = { columns = [||]; rows = [||] }
+let most_kept = 0x10000
+
+let centres camera =
+  let kept count = Int.min count most_kept in
+  {
+    columns = Array.init (kept camera.width) (fun x -> across camera x 0.5);
+    rows = Array.init (kept camera.height) (fun y -> up camera y 0.5);
+  }
+
+let[@inline] aim_at_centre camera { columns; rows } ~x ~y ray =
+  if x >= 0 && x < Array.length columns && y >= 0 && y < Array.length rows then
+    aim_at camera (Array.unsafe_get columns x) (Array.unsafe_get rows y) ray
+  else aim camera ~x ~y ~dx:0.5 ~dy:0.5 ray
 
 let ray_through camera ~x ~y ~dx ~dy =
   let ray = Raw_ray.create () in

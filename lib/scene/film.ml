@@ -27,18 +27,18 @@ let with_srgb srgb film = { film with srgb }
 let[@inline] clamp v = if v >= 1. then 1. else if v > 0. then v else 0.
 
 (* Most colours need nothing, and then nothing is allocated. *)
-let expose { exposure = k; _ } ({ Color.r; g; b } as c) =
+let[@inline] expose { exposure = k; _ } ({ Color.r; g; b } as c) =
   if k = 1. && r <= 1. && g <= 1. && b <= 1. then c
   else Color.make (clamp (k *. r)) (clamp (k *. g)) (clamp (k *. b))
 
 let brightest = 255.5 /. 255.
 
-let over_exposed { exposure = k; _ } { Color.r; g; b } =
+let[@inline] over_exposed { exposure = k; _ } { Color.r; g; b } =
   k *. r > brightest || k *. g > brightest || k *. b > brightest
 
 let channel { srgb; _ } v = if srgb then Srgb.encode v else v
 
-let encode { srgb; _ } ({ Color.r; g; b } as c) =
+let[@inline] encode { srgb; _ } ({ Color.r; g; b } as c) =
   if srgb then Color.make (Srgb.encode r) (Srgb.encode g) (Srgb.encode b)
   else c
 

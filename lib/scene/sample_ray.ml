@@ -27,9 +27,9 @@ let go_through_lens lens camera pixel k (ray : Raw_ray.t) =
       Raw_ray.set_origin ray origin.x origin.y origin.z;
       Raw_ray.set_direction ray x y z
 
-let aim { Scene.camera; lens; film; _ } ~x ~y k (ray : Raw_ray.t) =
+let aim { Scene.camera; lens; film; _ } centres ~x ~y k (ray : Raw_ray.t) =
   let pixel = Spread.of_pixel ~x ~y in
-  (if k = 0 then Camera.aim camera ~x ~y ~dx:0.5 ~dy:0.5 ray
+  (if k = 0 then Camera.aim_at_centre camera centres ~x ~y ray
    else
      let dx = Spread.across pixel k and dy = Spread.down pixel k in
      Camera.aim camera ~x ~y ~dx ~dy ray);
@@ -39,5 +39,5 @@ let aim { Scene.camera; lens; film; _ } ~x ~y k (ray : Raw_ray.t) =
 
 let make scene ~x ~y k =
   let ray = Raw_ray.create () in
-  aim scene ~x ~y k ray;
+  aim scene Camera.no_centres ~x ~y k ray;
   Ray.of_raw ray

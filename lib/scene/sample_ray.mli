@@ -2,8 +2,9 @@
 
 open Raylab_geometry
 
-val aim : Scene.t -> x:int -> y:int -> int -> Raw_ray.t -> unit
-(** [aim scene ~x ~y k ray] makes [ray] the ray of sample [k] of pixel
+val aim :
+  Scene.t -> Camera.centres -> x:int -> y:int -> int -> Raw_ray.t -> unit
+(** [aim scene centres ~x ~y k ray] makes [ray] the ray of sample [k] of pixel
     [(x, y)], y from the top, with its seed. It goes through the place of the
     pixel that {!Spread} says, for sample 0 its centre.
 

@@ -137,7 +137,7 @@ let color t r =
 
 let sample t ~x ~y k =
   t.tally.primary <- t.tally.primary + 1;
-  Sample_ray.aim t.prepared.scene ~x ~y k t.ray;
+  Sample_ray.aim t.prepared.scene t.prepared.centres ~x ~y k t.ray;
   evaluate t
 
 let nearest_hit t r =

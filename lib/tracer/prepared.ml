@@ -3,6 +3,7 @@ open Raylab_scene
 
 type t = {
   scene : Scene.t;
+  centres : Camera.centres;
   lights : Light.t array;
   objects : Object.t array;
   shapes : Shape.t array;
@@ -82,6 +83,7 @@ let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
   let casters = casters_of objects and whole_index = index shapes in
   {
     scene;
+    centres = Camera.centres scene.camera;
     lights = Array.of_list scene.lights;
     objects;
     shapes;
@@ -103,7 +105,12 @@ let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
 
 let with_camera camera t =
   let scene = Scene.with_camera camera t.scene in
-  { t with scene; offset = usual_offset scene }
+  {
+    t with
+    scene;
+    centres = Camera.centres camera;
+    offset = usual_offset scene;
+  }
 
 let caster t place =
   match t.casters with None -> place | Some numbers -> numbers.(place)

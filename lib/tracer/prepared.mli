@@ -6,6 +6,7 @@ open Raylab_scene
 
 type t = private {
   scene : Scene.t;
+  centres : Camera.centres;  (** of its pixels *)
   lights : Light.t array;
   objects : Object.t array;
   shapes : Shape.t array;

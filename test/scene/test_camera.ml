@@ -114,6 +114,24 @@ let same_bits =
              && compare direction direction' = 0)
            [ (0, 0); (camera.width - 1, camera.height - 1); (3, 1) ])
 
+(* The last pixels of the largest pictures are beyond those that are kept. *)
+let same_at_centres =
+  Property.holds "a ray through a centre that is kept, bit for bit" ~count:500
+    (Generate.camera Generate.extreme) (fun camera ->
+      let centres = Camera.centres camera and ray = Raw_ray.create () in
+      List.for_all
+        (fun (x, y) ->
+          Camera.aim_at_centre camera centres ~x ~y ray;
+          compare (Ray.of_raw ray) (Camera.primary_ray camera ~x ~y) = 0)
+        [
+          (0, 0);
+          (camera.width - 1, camera.height - 1);
+          (camera.width, 0);
+          (3, 1);
+          (-1, 2);
+          (0x10000, 0x10000);
+        ])
+
 let test_centre () =
   let odd = camera ~width:5 ~height:3 ~depth:7. () in
   Alcotest.check Same.direction "straight ahead" (dir 0. 0. 1.)
@@ -173,6 +191,7 @@ let suite =
       Alcotest.test_case "fov" `Quick test_fov;
       fills_the_angle;
       same_bits;
+      same_at_centres;
       Alcotest.test_case "centre pixel" `Quick test_centre;
       Alcotest.test_case "with_size" `Quick test_with_size;
       Alcotest.test_case "scale" `Quick test_scale;
