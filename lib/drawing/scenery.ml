@@ -7,7 +7,7 @@ let pf = Printf.sprintf
 let mirror_color = Color.make (205. /. 255.) (218. /. 255.) (228. /. 255.)
 
 let fill (o : Object.t) =
-  let { Lobes.emission; albedo; mirror } = Surface.lobes o.surface in
+  let { Lobes.emission; albedo; mirror; _ } = Surface.lobes o.surface in
   let own = Saturate.color (Color.add emission albedo) in
   if Color.largest mirror > 0. && Color.equal own Color.black then
     Drawing.Seen mirror_color

@@ -21,10 +21,11 @@ let text s : Yojson.Safe.t = `String s
 
 (* {1 Scenes} *)
 
-let parameter (name, parameter) =
-  match (parameter : Parameter.t) with
-  | Number x -> (name, number x)
-  | Triple (x, y, z) -> (name, numbers [ x; y; z ])
+let numbers_of : Parameter.t -> Yojson.Safe.t = function
+  | Number x -> number x
+  | Triple (x, y, z) -> numbers [ x; y; z ]
+
+let parameter (name, parameter) = (name, numbers_of parameter)
 
 let modifier modifier : Yojson.Safe.t =
   `Assoc
@@ -43,7 +44,10 @@ let shape shape : Yojson.Safe.t =
 
 let rec surface s : Yojson.Safe.t =
   let weighted (weight, s) =
-    `Assoc [ ("weight", number weight); ("surface", surface s) ]
+    `Assoc
+      [
+        ("weight", numbers_of (Surface.weight weight)); ("surface", surface s);
+      ]
   in
   let parts =
     match (s : Surface.t) with

@@ -65,7 +65,8 @@ PRIMITIVE = { "number": INT, PLACE,       which one of the solid
 
 SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
        or { "kind": "mixed",
-            "parts": [{ "weight": NUMBER, "surface": SURFACE }, ...] }
+            "parts": [{ "weight": NUMBER or COLOR, "surface": SURFACE },
+                      ...] }
 
 WORD    = what the scene language calls it
 PART    = what it takes there, in that order, by name:

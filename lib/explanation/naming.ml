@@ -46,19 +46,29 @@ let add_paint weight paints color =
     List.map grow paints
   else { word; part = weight } :: paints
 
+(* A weight as a number and the colour that it gives to what it weighs. *)
+let tint weight =
+  let part = Color.largest weight in
+  if Color.equal weight (Color.make part part part) then (part, Color.white)
+  else
+    let scale = Saturate.limit (1. /. part) in
+    (part, Saturate.color (Color.scale scale weight))
+
 (* The colours that a surface is painted with, in the order in which they are
    written, one for each word. The last one is the first of the list. *)
 let rec add_paints weight paints = function
   | Surface.Mixed { parts; _ } ->
       let add paints (part, surface) =
-        add_paints (Saturate.limit (weight *. part)) paints surface
+        let weight = Saturate.color (Color.multiply weight part) in
+        add_paints weight paints surface
       in
       List.fold_left add paints parts
   | simple ->
-      Option.fold ~none:paints ~some:(add_paint weight paints)
-        (Surface.paint simple)
+      let part, tint = tint weight in
+      let add color = add_paint part paints (Color.multiply tint color) in
+      Option.fold ~none:paints ~some:add (Surface.paint simple)
 
-let paints surface = List.rev (add_paints 1. [] surface)
+let paints surface = List.rev (add_paints Color.white [] surface)
 
 let rec starts_with_mirror = function
   | Surface.Mixed { parts = (_, first) :: _; _ } -> starts_with_mirror first

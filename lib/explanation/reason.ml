@@ -95,9 +95,7 @@ let rec path e =
   match Explain.next e with [] -> [ e ] | next :: _ -> e :: path next
 
 let clauses film e (h : Explain.surface_hit) =
-  let { Lobes.emission; albedo; mirror } = h.lobes in
-  if List.for_all is_black [ emission; albedo; mirror ] then
-    [ "which returns no light" ]
+  if Lobes.is_none h.lobes then [ "which returns no light" ]
   else light_clauses film e h
 
 (* [describe film ~depth ~article path] is about the rays of [path], the last

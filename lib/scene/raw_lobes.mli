@@ -1,11 +1,12 @@
-(** Lobes as numbers in a row, for inner loops: surfaces write what they denote
-    there, and nothing is allocated.
+(** Lobes as numbers in a row, for inner loops: a surface writes what it
+    denotes there, and nothing is allocated but where the room has to grow.
 
-    A row is {!size} numbers of an array from some place on: red, green and
-    blue of each lobe, from {!emission}, {!albedo} and {!mirror} on. Rows
-    follow one another, so that a scene has all of its in one array, where they
-    are found with the fewest misses of the cache; and a mix has its parts
-    written into the row after its own, one after another, and adds them up. *)
+    What every surface has is its {e core}, a row of {!size} numbers: red,
+    green and blue of each lobe, from {!emission}, {!albedo} and {!mirror} on.
+    A scene has the cores of its surfaces in one array, one after another. What
+    varies in number lies apart, so that plain surfaces pay nothing for it. *)
+
+(** {1 The core} *)
 
 val emission : int
 (** [emission] is 0. *)
@@ -19,20 +20,66 @@ val mirror : int
 val size : int
 (** [size] is 9. *)
 
-val create : rows:int -> float array
-(** [create ~rows] is so many rows, all lobes zero. *)
+(** {1 All lobes of a surface} *)
 
-val clear : float array -> int -> unit
-(** [clear numbers at] makes all lobes of the row at [at] zero. *)
+type t = private {
+  mutable core : float array;
+      (** the core of the surface, and after it rows in which mixes are worked
+          out *)
+  mutable opened : int array;
+      (** how many highlights and refractions there were when each row was
+          opened *)
+  highlights : Raw_parts.t;  (** the sharpness and one colour each *)
+  refractions : Raw_parts.t;
+      (** the index and three colours each, from {!plain}, {!fresnel} and
+          {!glass} on; see {!Lobes.refraction} *)
+}
+(** The type for registers of the lobes of a surface. *)
 
-val set : float array -> int -> Color.t -> unit
-(** [set numbers at color] writes [color] at [at]: that of a row and of one of
-    its lobes. *)
+val plain : int
+(** [plain] is 1. *)
 
-val add_next : float array -> int -> float -> unit
-(** [add_next numbers at weight] adds [weight] times the row after the one at
-    [at] to that; numbers too large for a double become the largest finite one.
-*)
+val fresnel : int
+(** [fresnel] is 4. *)
 
-val read : float array -> int -> Lobes.t
-(** [read numbers at] is the lobes of the row at [at]. *)
+val glass : int
+(** [glass] is 7. *)
+
+val create : unit -> t
+(** [create ()] is a new register, of a surface that does nothing. *)
+
+val read : t -> Lobes.t
+(** [read raw] is the lobes that [raw] holds. *)
+
+(** {1 Writing}
+
+    For {!Surface.write}. A mix has its parts written into the row after its
+    own, one after another, and adds up each. *)
+
+val clear : t -> unit
+(** [clear raw] makes [raw] one of no highlight and no refraction. *)
+
+val open_row : t -> int -> unit
+(** [open_row raw row] makes the core of this row, counted from 0, black. *)
+
+val set : t -> int -> int -> Color.t -> unit
+(** [set raw row lobe color] writes [color] into the row at {!emission},
+    {!albedo} or {!mirror}. *)
+
+val add_highlight : t -> sharpness:float -> Color.t -> unit
+(** [add_highlight raw ~sharpness color] adds this highlight. *)
+
+val add_refractive : t -> index:float -> Color.t -> unit
+(** [add_refractive raw ~index color] adds a refraction in this {!plain}
+    colour. *)
+
+val add_glass : t -> index:float -> Color.t -> unit
+(** [add_glass raw ~index color] adds a refraction of glass in this colour,
+    which mirrors all that it does not let through. *)
+
+val mix : t -> int -> Color.t -> unit
+(** [mix raw row weight] adds [weight] times what has been written since the
+    row after [row] was opened to what has been since [row] was: the one core
+    to the other, and each highlight and refraction to the one of the same key,
+    if there is one. Numbers too large for a double become the largest finite
+    one. *)

@@ -6,18 +6,25 @@ type t = private
   | Diffusive of Color.t  (** returns this part of the light that reaches it *)
   | Reflective  (** a perfect mirror *)
   | Luminous of Color.t  (** shows this colour, whatever the light *)
+  | Glossy of { sharpness : float; color : Color.t }
+      (** shines where it mirrors a light, blurred *)
+  | Refractive of { index : float; color : Color.t }
+      (** lets this part through, bent *)
+  | Glass of { index : float; color : Color.t }
+      (** mirrors Fresnel's share, and lets this part of the rest through *)
   | Mixed of {
-      parts : (float * t) list;
-          (** at least one, each with its weight; weights are taken as they
-              are, not brought to a sum of 1 *)
+      parts : (Color.t * t) list;
+          (** at least one, each with its weight, a grey for a number; weights
+              are taken as they are, not brought to a sum of 1 *)
       nesting : int;
           (** how deep mixes are nested: 1 without another among [parts] *)
     }  (** the weighted sum of surfaces *)
 
 (** {1 Building}
 
-    Raises [Invalid_argument] if a channel or a weight is negative or not
-    finite, or a mix is empty or nested too deep. *)
+    Raises [Invalid_argument] if a channel, a weight or a sharpness is negative
+    or not finite, an index not finite or not greater than 0, or a mix empty or
+    nested too deep. *)
 
 val diffusive : Color.t -> t
 (** [diffusive color] is matt: it returns the part [color] of the light that
@@ -30,6 +37,21 @@ val luminous : Color.t -> t
 (** [luminous color] glows in [color], whatever the light. It lights nothing
     else. *)
 
+val glossy : sharpness:float -> Color.t -> t
+(** [glossy ~sharpness color] shows the highlights of the lights: this part of
+    their light, times the cosine to the power of [sharpness] of the angle
+    between the way to the light and that of the mirrored ray. *)
+
+val refractive : index:float -> Color.t -> t
+(** [refractive ~index color] lets the part [color] of what is behind it
+    through, along the ray that is bent by Snell's law: light is [index] times
+    slower on the side away from the outward normal. What is totally reflected
+    is mirrored. *)
+
+val glass : index:float -> Color.t -> t
+(** [glass ~index color] is {!refractive}, and a mirror: of the share that
+    Fresnel's equations say, the rest times [color] goes through. *)
+
 val mixed : (float * t) list -> t
 (** [mixed parts] is the mix of [parts], each a weight and a surface. A mix
     among them that is not the last is replaced by its own parts, with their
@@ -41,6 +63,10 @@ val max_nesting : int
 (** [max_nesting] is 1,000: mixes are not nested deeper, so that what follows
     them down may recurse. *)
 
+val tinted : (Color.t * t) list -> t
+(** [tinted parts] is the same with weights that are colours: [gold] times a
+    mirror is a mirror tinted gold. *)
+
 (** {1 Meaning} *)
 
 val lobes : ?at:Raylab_geometry.Vec3.t -> t -> Lobes.t
@@ -48,13 +74,13 @@ val lobes : ?at:Raylab_geometry.Vec3.t -> t -> Lobes.t
     default the origin; that makes a difference only if it {!varies}. Numbers
     too large for a double become the largest finite one. *)
 
-val write : t -> Raylab_geometry.Spot.t -> float array -> int -> unit
-(** [write surface spot numbers at] puts what [surface] denotes at [spot] into
-    the row of [numbers] at [at], and uses as many rows from there on as
-    {!levels} says; see {!Raw_lobes}. Nothing is allocated. *)
+val write : t -> Raylab_geometry.Spot.t -> Raw_lobes.t -> unit
+(** [write surface spot raw] puts what [surface] denotes at [spot] into [raw].
+    Nothing is allocated once [raw] has the room. *)
 
-val levels : t -> int
-(** [levels surface] is how deep it nests: 1 if it is no mix. *)
+val is_plain : t -> bool
+(** [is_plain surface] is whether, wherever it is, it has neither highlights
+    nor refractions. *)
 
 val paint : t -> Color.t option
 (** [paint surface] is the colour that [surface] is said to be painted with:
@@ -71,7 +97,9 @@ val at : t -> Raylab_geometry.Vec3.t -> t
 (** {1 Forms} *)
 
 val map_colors : (Color.t -> Color.t) -> t -> t
-(** [map_colors f surface] is [surface] with [f] applied to each colour in it.
+(** [map_colors f surface] is [surface] with [f] applied to each colour in it,
+    those that are weights included; a weight that is the same in all channels
+    is a number, and stays.
 
     Raises [Invalid_argument] if [f] makes a colour that no surface may have.
 *)
@@ -85,9 +113,13 @@ val parameters : t -> (string * Raylab_geometry.Parameter.t) list
     that order, each with its name, all triples colours; nothing for a mix,
     which is made of surfaces. *)
 
+val weight : Color.t -> Raylab_geometry.Parameter.t
+(** [weight w] is how [w] is written as the weight of a part: one number if it
+    is the same in all channels. *)
+
 val colors : t -> Color.t list
-(** [colors surface] is all colours that are written in [surface], in their
-    order. *)
+(** [colors surface] is all colours that are written in [surface], weights that
+    are colours included, in their order. *)
 
 val equal : t -> t -> bool
 (** [equal a b] is whether [a] and [b] are written alike, number for number. *)

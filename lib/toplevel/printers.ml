@@ -24,7 +24,7 @@ let color ppf c =
 
 let surface = Broken.at_words Surface.pp
 
-let lobes ppf { Lobes.emission; albedo; mirror } =
+let lobes ppf { Lobes.emission; albedo; mirror; _ } =
   Format.fprintf ppf "@[<hov 2>emission %a,@ albedo %a,@ mirror %a@]" color
     emission color albedo Lobes.pp_factor mirror
 

@@ -62,7 +62,7 @@ let rec trace t left =
   if left > 0 && find t then (
     t.tally.hits <- t.tally.hits + 1;
     tell_hit t;
-    let { Prepared.lobes; rows; _ } = t.prepared in
+    let { Surfaces.lobes; rows; _ } = t.surfaces in
     let row = rows.(t.meeting.number) in
     if row >= 0 then shade t left lobes row else shade_part t left)
   else
@@ -74,11 +74,12 @@ let rec trace t left =
 and shade_part t left =
   let { Meeting.number; part; _ } = t.meeting in
   let row = Prepared.row t.prepared ~number ~part in
-  if row = Prepared.varies then (
+  if row >= 0 then shade t left t.surfaces.lobes row
+  else if row = Surfaces.varies then (
     let surface = Prepared.surface t.prepared ~number ~part in
-    Surface.write surface t.spot t.lobes 0;
-    shade t left t.lobes 0)
-  else shade t left t.prepared.lobes row
+    Surface.write surface t.spot t.lobes;
+    shade t left t.lobes.core 0)
+  else shade t left (Surfaces.rich t.surfaces row).core 0
 
 (* The same for a ray that hits a surface with the lobes at [at]. The mirrored
    ray uses the registers anew: what is wanted after it is read before. *)

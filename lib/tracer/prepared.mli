@@ -11,15 +11,7 @@ type t = private {
   objects : Object.t array;
   shapes : Shape.t array;
       (** of the objects; faces of solids coincide within the usual offset *)
-  lobes : float array;
-      (** what surfaces denote, row by row; see {!Raylab_scene.Raw_lobes} *)
-  rows : int array;
-      (** where the row of each object's surface starts; {!varies} if that is
-          to be asked at each point, {!of_primitives} if each primitive has its
-          own *)
-  primitive_rows : int array array;
-      (** the same for the primitives of each object, if any has some *)
-  levels : int;  (** how deep surfaces nest, {!Raylab_scene.Surface.levels} *)
+  surfaces : Surfaces.t;
   index : Finder.index;
   casters : int array option;
       (** the numbers of the objects that shadow rays meet; [None] for all *)
@@ -62,10 +54,5 @@ val surface : t -> number:int -> part:int -> Surface.t
 (** [surface t ~number ~part] is the surface of that part. *)
 
 val row : t -> number:int -> part:int -> int
-(** [row t ~number ~part] is where its row starts, or {!varies}. *)
-
-val of_primitives : int
-(** [of_primitives] is -2. *)
-
-val varies : int
-(** [varies] is -1. *)
+(** [row t ~number ~part] is where its row starts, {!Surfaces.varies}, or that
+    of a rich one. *)

@@ -3,6 +3,7 @@ open Raylab_scene
 
 type t = {
   prepared : Prepared.t;
+  surfaces : Surfaces.t;
   observe : (Event.t -> unit) option;
   finder : Finder.t;
   shadow_finder : Finder.t;
@@ -11,7 +12,7 @@ type t = {
   shadow_ray : Raw_ray.t;
   meeting : Meeting.t;
   spot : Spot.t;
-  lobes : float array;
+  lobes : Raw_lobes.t;
   incidence : Light.incidence;
   light : Raw_color.t;
   color : Raw_color.t;
@@ -21,6 +22,7 @@ let create ?observe (prepared : Prepared.t) =
   let finder = prepared.index () in
   {
     prepared;
+    surfaces = prepared.surfaces;
     observe;
     finder;
     shadow_finder =
@@ -32,7 +34,7 @@ let create ?observe (prepared : Prepared.t) =
     shadow_ray = Raw_ray.create ();
     meeting = Meeting.create ();
     spot = Spot.create ();
-    lobes = Raw_lobes.create ~rows:prepared.levels;
+    lobes = Raw_lobes.create ();
     incidence = Light.create_incidence ();
     light = Raw_color.create ();
     color = Raw_color.create ();

@@ -10,6 +10,7 @@ open Raylab_scene
 
 type t = {
   prepared : Prepared.t;
+  surfaces : Surfaces.t;  (** those of [prepared] *)
   observe : (Event.t -> unit) option;  (** who is told of every event *)
   finder : Finder.t;
   shadow_finder : Finder.t;  (** of what shadow rays meet *)
@@ -18,9 +19,7 @@ type t = {
   shadow_ray : Raw_ray.t;
   meeting : Meeting.t;  (** what one of the two meets *)
   spot : Spot.t;  (** where the ray of the chain does *)
-  lobes : float array;
-      (** what a surface that varies denotes there; see
-          {!Raylab_scene.Raw_lobes} *)
+  lobes : Raw_lobes.t;  (** what a surface that varies denotes there *)
   incidence : Light.incidence;  (** how one light meets it *)
   light : Raw_color.t;  (** what all lights give *)
   color : Raw_color.t;  (** what the ray brings *)

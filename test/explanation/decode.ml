@@ -140,6 +140,8 @@ and hit json : Explain.surface_hit =
         emission = color (get "emission");
         albedo = color (get "albedo");
         mirror = color (get "mirror");
+        highlights = [];
+        refractions = [];
       };
     lights = list light (get "lights");
   }

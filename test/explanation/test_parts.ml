@@ -25,7 +25,7 @@ let total terms =
 
 (* A colour is what its source makes of the lobes, the lights and the ray. *)
 let term_is_right (h : Explain.surface_hit) (term : Explain.term) =
-  let { Lobes.emission; albedo; mirror } = h.lobes in
+  let { Lobes.emission; albedo; mirror; _ } = h.lobes in
   match (term.source, term.ray) with
   | Emitted, None -> is_same term.color emission
   | Diffused { light }, None ->

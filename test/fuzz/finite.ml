@@ -25,8 +25,15 @@ let verdict = function
       Option.fold ~none:true ~some:ray shadow_ray
       && number cosine && number falloff && color contribution
 
-let lobes { Lobes.emission; albedo; mirror } =
+let highlight { Lobes.sharpness; shine } = number sharpness && color shine
+
+let refraction { Lobes.index; plain; fresnel; glass } =
+  number index && color plain && color fresnel && color glass
+
+let lobes { Lobes.emission; albedo; mirror; highlights; refractions } =
   color emission && color albedo && color mirror
+  && List.for_all highlight highlights
+  && List.for_all refraction refractions
 
 let source = function
   | Event.Diffused { light } -> color light

@@ -59,7 +59,7 @@ let write_light channel camera (light : Light.t) =
         (number distance)
 
 let write_surface channel surface =
-  let { Lobes.emission; albedo; mirror } = Surface.lobes surface in
+  let { Lobes.emission; albedo; mirror; _ } = Surface.lobes surface in
   let is_black = Color.equal Color.black in
   let reflection =
     if is_black mirror then ""

@@ -16,7 +16,8 @@ let test_inlined () =
   (* the last one stays: what follows a mix belongs to it *)
   let last = Surface.mixed [ (0.2, mirror); (0.4, glow) ] in
   match Surface.mixed [ (3., matt); (0.5, last) ] with
-  | Mixed { parts = [ (3., first); (0.5, second) ]; _ } ->
+  | Mixed { parts = [ ({ r = 3.; _ }, first); ({ r = 0.5; _ }, second) ]; _ }
+    ->
       check "before it" matt first;
       check "a late mix" last second
   | other -> Alcotest.failf "%a" Surface.pp other
@@ -59,6 +60,16 @@ let test_equal () =
   in
   differs "kind" (Surface.diffusive Color.red) glow;
   differs "colour" (Surface.luminous Color.blue) glow;
+  let glass = Surface.glass ~index:1.5 and gold = rgb 1. 0.5 0. in
+  differs "index" (glass gold) (Surface.glass ~index:1.6 gold);
+  differs "colour of glass" (glass gold) (glass Color.white);
+  differs "glass" (glass gold) (Surface.refractive ~index:1.5 gold);
+  differs "sharpness"
+    (Surface.glossy ~sharpness:2. gold)
+    (Surface.glossy ~sharpness:3. gold);
+  differs "weight that is a colour"
+    (Surface.tinted [ (gold, glow) ])
+    (Surface.mixed [ (1., glow) ]);
   differs "weight"
     (Surface.mixed [ (1., glow) ])
     (Surface.mixed [ (2., glow) ]);
@@ -74,10 +85,24 @@ let test_invalid () =
       Expect.invalid "weight" (fun () -> Surface.mixed [ (bad, mirror) ]);
       Expect.invalid "diffusive" (fun () -> Surface.diffusive (rgb 0. bad 0.));
       Expect.invalid "luminous" (fun () -> Surface.luminous (rgb 0. 0. bad));
+      Expect.invalid "glossy" (fun () ->
+          Surface.glossy ~sharpness:1. (grey bad));
+      Expect.invalid "sharpness" (fun () ->
+          Surface.glossy ~sharpness:bad (grey 1.));
+      Expect.invalid "refractive" (fun () ->
+          Surface.refractive ~index:bad (grey 1.));
+      Expect.invalid "glass" (fun () -> Surface.glass ~index:bad (grey 1.));
+      Expect.invalid "tinted" (fun () ->
+          Surface.tinted [ (rgb 1. bad 1., mirror) ]);
       Expect.invalid "map_colors" (fun () ->
           let mix = Surface.mixed [ (1., matt) ] in
           Surface.map_colors (fun _ -> grey bad) mix))
-    [ nan; infinity; -1. ]
+    [ nan; infinity; -1. ];
+  Expect.invalid "index 0" (fun () -> Surface.glass ~index:0. (grey 1.));
+  Expect.invalid "index 0" (fun () -> Surface.refractive ~index:0. (grey 1.));
+  check "sharpness 0"
+    (Surface.glossy ~sharpness:0. (grey 1.))
+    (Surface.glossy ~sharpness:(-0.) (grey 1.))
 
 let test_map_colors () =
   check "every colour"
@@ -88,6 +113,25 @@ let test_map_colors () =
     (Surface.map_colors
        (fun _ -> grey 2.)
        (Surface.mixed [ (2., mirror); (1., Surface.mixed [ (3., glow) ]) ]))
+
+(* Weights that are numbers stay. *)
+let test_grey_weights () =
+  let colored = rgb 1. 0.5 0. in
+  check "weights that are colours"
+    (Surface.tinted
+       [
+         (grey 2., Surface.glass ~index:1.5 (grey 2.));
+         (grey 0.1, Surface.refractive ~index:1.5 (grey 2.));
+         (grey 0.2, Surface.glossy ~sharpness:9. (grey 2.));
+       ])
+    (Surface.map_colors
+       (fun _ -> grey 2.)
+       (Surface.tinted
+          [
+            (colored, Surface.glass ~index:1.5 colored);
+            (grey 0.1, Surface.refractive ~index:1.5 colored);
+            (grey 0.2, Surface.glossy ~sharpness:9. colored);
+          ]))
 
 (* None varies so far. *)
 let test_at () =
@@ -108,7 +152,17 @@ let test_pp () =
   Expect.prints "as in a scene" "mixed 0.5 diffusive 1 0.5 0 0.25 reflective"
     Surface.pp
     (Surface.mixed [ (0.5, matt); (0.25, mirror) ]);
-  Expect.prints "luminous" "luminous 1 0 0" Surface.pp glow
+  Expect.prints "luminous" "luminous 1 0 0" Surface.pp glow;
+  Expect.prints "weights that are colours"
+    "mixed [1, 0.5, 0] glass 1.5 1 1 1 0.5 glossy 20 1 0 0 2 refractive 1.3 1 \
+     0 0"
+    Surface.pp
+    (Surface.tinted
+       [
+         (rgb 1. 0.5 0., Surface.glass ~index:1.5 Color.white);
+         (grey 0.5, Surface.glossy ~sharpness:20. Color.red);
+         (grey 2., Surface.refractive ~index:1.3 Color.red);
+       ])
 
 let suite =
   ( "Surface",
@@ -119,6 +173,7 @@ let suite =
       Alcotest.test_case "equal" `Quick test_equal;
       Alcotest.test_case "invalid" `Quick test_invalid;
       Alcotest.test_case "map_colors" `Quick test_map_colors;
+      Alcotest.test_case "weights in grey" `Quick test_grey_weights;
       Alcotest.test_case "at a point" `Quick test_at;
       Alcotest.test_case "paint" `Quick test_paint;
       Alcotest.test_case "pp" `Quick test_pp;

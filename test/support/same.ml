@@ -41,9 +41,19 @@ let color = Alcotest.testable pp_exact_color Color.equal
 let color_near e = Alcotest.testable pp_exact_color (is_near_color e)
 let surface = Alcotest.testable Surface.pp Surface.equal
 
-let pp_lobes ppf { Lobes.emission; albedo; mirror } =
-  Format.fprintf ppf "emission %a, albedo %a, mirror %a" pp_exact_color
-    emission pp_exact_color albedo pp_exact_color mirror
+let pp_lobes ppf { Lobes.emission; albedo; mirror; highlights; refractions } =
+  let pp = Format.fprintf and color = pp_exact_color in
+  pp ppf "emission %a, albedo %a, mirror %a" color emission color albedo color
+    mirror;
+  List.iter
+    (fun { Lobes.sharpness; shine } ->
+      pp ppf ", highlight %h %a" sharpness color shine)
+    highlights;
+  List.iter
+    (fun { Lobes.index; plain; fresnel; glass } ->
+      pp ppf ", refraction %h %a %a %a" index color plain color fresnel color
+        glass)
+    refractions
 
 let lobes_near e =
   let close a b = is_near (e *. Float.max (abs_float a) (abs_float b)) a b in
@@ -53,7 +63,18 @@ let lobes_near e =
   Alcotest.testable pp_lobes (fun a b ->
       close_color a.Lobes.emission b.Lobes.emission
       && close_color a.albedo b.albedo
-      && close_color a.mirror b.mirror)
+      && close_color a.mirror b.mirror
+      && List.equal
+           (fun (a : Lobes.highlight) (b : Lobes.highlight) ->
+             a.sharpness = b.sharpness && close_color a.shine b.shine)
+           a.highlights b.highlights
+      && List.equal
+           (fun (a : Lobes.refraction) (b : Lobes.refraction) ->
+             a.index = b.index
+             && close_color a.plain b.plain
+             && close_color a.fresnel b.fresnel
+             && close_color a.glass b.glass)
+           a.refractions b.refractions)
 
 let lobes = lobes_near 0.
 let light = Alcotest.testable Light.pp Light.equal

@@ -13,6 +13,7 @@ let nested =
       (1., matt); (2., Surface.mixed [ (0.5, Surface.reflective); (1., glow) ]);
     ]
 
+let glass = Surface.glass ~index:1.5 Color.white
 let ball surface = sphere (v 0. 0. 5.) 1. surface
 
 let prepare ?(camera = camera ()) surfaces =
@@ -20,11 +21,26 @@ let prepare ?(camera = camera ()) surfaces =
     (Scene.make camera ~objects:(List.map ball surfaces))
 
 (* What the surface of each object denotes. *)
-let lobes (prepared : Prepared.t) =
-  Array.to_list (Array.map (Raw_lobes.read prepared.lobes) prepared.rows)
+let lobes ({ surfaces; _ } : Prepared.t) =
+  let read row =
+    if row < 0 then Raw_lobes.read (Surfaces.rich surfaces row)
+    else
+      let color lobe =
+        let channel k = surfaces.lobes.(row + lobe + k) in
+        rgb (channel 0) (channel 1) (channel 2)
+      in
+      {
+        Lobes.none with
+        emission = color Raw_lobes.emission;
+        albedo = color Raw_lobes.albedo;
+        mirror = color Raw_lobes.mirror;
+      }
+  in
+  Array.to_list (Array.map read surfaces.rows)
 
 let test_lobes () =
-  let surfaces = [ glow; matt; nested; nested; matt ] in
+  let bright = Surface.mixed [ (0.5, glass); (2., matt) ] in
+  let surfaces = [ glow; bright; matt; glass; nested; nested; matt ] in
   Alcotest.(check (list Same.lobes))
     "what its surface denotes"
     (List.map (fun s -> Surface.lobes s) surfaces)
@@ -32,20 +48,15 @@ let test_lobes () =
 
 (* A million objects of one surface take the room of one. *)
 let test_shared () =
-  let { Prepared.rows; lobes; _ } =
-    prepare [ matt; nested; nested; glow; nested ]
+  let { Prepared.surfaces = { rows; lobes; rich; _ }; _ } =
+    prepare [ matt; nested; nested; glass; glass; glow; nested ]
   in
-  Alcotest.(check (array int)) "neighbours share" [| 0; 9; 9; 18; 27 |] rows;
-  (* and two that the mix of mixes is worked out in *)
-  Alcotest.(check int) "a row each" (6 * 9) (Array.length lobes)
-
-let test_levels () =
-  let check what expected surfaces =
-    Alcotest.(check int) what expected (prepare surfaces).levels
-  in
-  check "no object" 1 [];
-  check "no mix" 1 [ glow; matt ];
-  check "the deepest" 3 [ matt; nested; glow ]
+  Alcotest.(check (array int))
+    "neighbours share"
+    [| 0; 9; 9; -3; -3; 18; 27 |]
+    rows;
+  Alcotest.(check int) "a row each" (4 * 9) (Array.length lobes);
+  Alcotest.(check int) "of glass one" 1 (Array.length rich)
 
 let test_offset () =
   let camera = camera ~canvas_width:8. ~canvas_height:4. ~depth:16. () in
@@ -57,6 +68,5 @@ let suite =
     [
       Alcotest.test_case "lobes" `Quick test_lobes;
       Alcotest.test_case "shared rows" `Quick test_shared;
-      Alcotest.test_case "levels" `Quick test_levels;
       Alcotest.test_case "offset" `Quick test_offset;
     ] )

@@ -403,10 +403,11 @@ let rec denotes (surface : Surface.t) =
   | Diffusive c -> (Color.black, c, Color.black)
   | Reflective -> (Color.black, Color.black, Color.white)
   | Luminous c -> (c, Color.black, Color.black)
+  | Glossy _ | Refractive _ | Glass _ -> invalid_arg "not made here"
   | Mixed { parts; _ } ->
       let add (e, a, m) (k, part) =
-        let e', a', m' = denotes part in
-        (e ++ Color.scale k e', a ++ Color.scale k a', m ++ Color.scale k m')
+        let e', a', m' = denotes part and weighted = Color.multiply k in
+        (e ++ weighted e', a ++ weighted a', m ++ weighted m')
       in
       List.fold_left add (Color.black, Color.black, Color.black) parts
 
