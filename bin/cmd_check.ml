@@ -9,9 +9,7 @@ let tell path reading =
   (match reading.Scene_file.scene with
   | Ok _ -> ()
   | Error errors -> List.iter Command.print_error errors);
-  List.iter
-    (Command.line "%s: warning: %s" (Raylab_source.Printable.text path))
-    (Scene_file.warnings reading)
+  Warnings.tell path reading
 
 let print text =
   let print () =

@@ -106,10 +106,13 @@ let save_svg path text =
 
 let explain options () =
   check_svg options;
-  let written = Command.load_scene ~allow:options.allow options.scene in
+  let reading, written =
+    Command.read_scene ~allow:options.allow options.scene
+  in
   let scene = Options.adjust options.view written in
   List.iter (check_pixel scene.camera) options.pixels;
-  Options.warn options.view written;
+  Option.iter (fun path -> Output.protect path reading) options.svg;
+  Warnings.tell_as options.view options.scene reading;
   Option.iter check_place options.svg;
   let prepared = Prepared.make scene in
   let explained (x, y) = Explain.pixel prepared ~x ~y in

@@ -12,6 +12,7 @@ type show = Never | If_there_is_a_display | Asked_for
 
 type options = {
   scene : string;
+  from_prompt : bool;
   allow : string list;
   view : Options.view;
   out : string option;
@@ -90,9 +91,11 @@ let check_picture format options target { Camera.width; height; _ } =
   or_write_error (Picture_file.check_size format ~width ~height);
   check_target format target ~width ~height
 
-let band options sources { Scene.camera = { width; height; _ }; film; _ } =
+let band options reading { Scene.camera = { width; height; _ }; film; _ } =
   let of_rows { Render.first; last } =
-    let scene = Sources.digest sources
+    let sources { Scene_file.sources; _ } = sources in
+    let scene =
+      Sources.digest (Option.fold reading ~none:Sources.none ~some:sources)
     and grey = Options.is_grey options.view in
     Band.make
       { width; height; grey; film; scene; version = Version.number }
@@ -132,7 +135,8 @@ let show options target scene picture ~seconds =
   in
   if wanted then
     let load () =
-      if Scene_path.is_stream options.scene then Ok scene.Prepared.scene
+      if Scene_path.is_stream options.scene || options.from_prompt then
+        Ok scene.Prepared.scene
       else
         Window.load ~allow:options.allow options.scene
           ~adjust:(Options.adjust options.view)
@@ -148,18 +152,27 @@ let show options target scene picture ~seconds =
         Command.say "%s. The picture is not shown" message
     | Error _ -> ()
 
+(* The prompt has told of its scene what there is to tell. *)
+let read options path =
+  if options.from_prompt then (None, Command.handed_over options.scene)
+  else
+    let reading, scene =
+      Command.read_scene ~allow:options.allow options.scene
+    in
+    Output.protect path reading;
+    (Some reading, scene)
+
 let render options () =
   let path = path options in
   let target = target path in
   let format = format options path in
-  let { Scene_file.sources; _ }, written =
-    Command.read_scene ~allow:options.allow options.scene
-  in
+  let reading, written = read options path in
   let scene = Options.adjust options.view written in
   check_rows options scene.camera;
   check_picture format options target scene.camera;
-  if not options.quiet then Options.warn options.view written;
-  let band = band options sources scene in
+  let band = band options reading scene in
+  if not options.quiet then
+    Option.iter (Warnings.tell_as options.view options.scene) reading;
   let progress = Progress.start ~quiet:options.quiet in
   let started = Unix.gettimeofday () in
   let domains =
@@ -237,12 +250,26 @@ let options show =
     in
     value & flag & info [ "q"; "quiet" ] ~doc
   in
-  let make scene allow view out format domains rows show stats quiet =
-    { scene; allow; view; out; format; domains; rows; show; stats; quiet }
+  let make scene from_prompt allow view out format domains rows show stats
+      quiet =
+    {
+      scene;
+      from_prompt;
+      allow;
+      view;
+      out;
+      format;
+      domains;
+      rows;
+      show;
+      stats;
+      quiet;
+    }
   in
   Term.(
-    const make $ Command.scene_arg $ Options.allow $ Options.view $ out
-    $ Output.wanted $ Options.domains $ rows $ show $ stats $ quiet)
+    const make $ Command.scene_arg $ Options.from_prompt $ Options.allow
+    $ Options.view $ out $ Output.wanted $ Options.domains $ rows $ show
+    $ stats $ quiet)
 
 let default_show =
   let either = function Never -> If_there_is_a_display | show -> show in

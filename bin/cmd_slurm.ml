@@ -97,7 +97,8 @@ let slurm options () =
   let scene = Options.adjust options.view written in
   check_bands options scene.camera;
   check_whole format scene.camera;
-  Options.warn options.view written;
+  Output.protect options.out reading;
+  Warnings.tell_as options.view options.scene reading;
   let folder = Filename.remove_extension out ^ ".slurm" in
   let job = job options ~out scene.camera
   and files = Copies.make reading.sources reading.inclusions in

@@ -1,5 +1,4 @@
 open Cmdliner
-open Raylab_scene
 open Raylab_picture
 open Raylab_window
 
@@ -10,31 +9,37 @@ type options = {
   out : string option;
   domains : int option;
   watch : bool;
-  no_lines : bool;
+  from_prompt : bool;
 }
 
-let adjust { view; no_lines; _ } scene =
-  Options.adjust view (if no_lines then Scene.without_places scene else scene)
+let load ?watch ?on_read options =
+  Window.load ~allow:options.allow options.scene ?watch ?on_read
+    ~adjust:(Options.adjust options.view)
 
-let load ?watch options =
-  Window.load ~allow:options.allow options.scene ?watch
-    ~adjust:(adjust options)
+(* The prompt has told of its scene what there is to tell. *)
+let read options =
+  if options.from_prompt then (None, Command.handed_over options.scene)
+  else
+    let reading, scene =
+      Command.read_scene ~allow:options.allow options.scene
+    in
+    (Some reading, scene)
+
+let on_read options reading =
+  Option.iter (fun path -> Output.protect path reading) options.out;
+  Warnings.tell_as options.view options.scene reading
 
 let first ?watch options =
   if options.watch then
-    let adjust scene =
-      Options.warn options.view scene;
-      adjust options scene
-    in
-    match Window.load ~allow:options.allow options.scene ?watch ~adjust () with
+    match load ?watch ~on_read:(on_read options) options () with
     | Ok scene -> View.Scene scene
     | Error message -> Error message
   else
-    let written = Command.load_scene ~allow:options.allow options.scene in
-    let scene = adjust options written in
+    let reading, written = read options in
+    let scene = Options.adjust options.view written in
     match Window.check_size scene with
     | Ok () ->
-        Options.warn options.view written;
+        Option.iter (on_read options) reading;
         Scene scene
     | Error message -> Command.write_error message
 
@@ -57,7 +62,8 @@ let view options () =
   let first = first ?watch options in
   let load () =
     match first with
-    | Scene scene when Scene_path.is_stream path -> Ok scene
+    | Scene scene when Scene_path.is_stream path || options.from_prompt ->
+        Ok scene
     | _ -> load ?watch options ()
   in
   match
@@ -83,16 +89,13 @@ let options =
        window says so and waits for the next change."
     in
     Arg.(value & flag & info [ "w"; "watch" ] ~doc)
-  and no_lines =
-    (* for the prompt, whose scene may come from no file *)
-    Arg.(value & flag & info [ "no-lines" ] ~docs:Manpage.s_none)
   in
-  let make scene allow view out domains watch no_lines =
-    { scene; allow; view; out; domains; watch; no_lines }
+  let make scene allow view out domains watch from_prompt =
+    { scene; allow; view; out; domains; watch; from_prompt }
   in
   Term.(
     const make $ Command.scene_arg $ Options.allow $ Options.view $ out
-    $ Options.domains $ watch $ no_lines)
+    $ Options.domains $ watch $ Options.from_prompt)
 
 let cmd =
   let man =

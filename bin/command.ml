@@ -59,7 +59,11 @@ let read_scene ~allow path =
   let reading = Scene_file.read ~access path in
   (reading, scene_or_errors reading.scene)
 
-let load_scene ~allow path = snd (read_scene ~allow path)
+let handed_over path =
+  match In_channel.with_open_bin path Raylab_toplevel.Handover.read with
+  | Ok scene -> scene
+  | Error message | (exception Sys_error message) ->
+      end_with Exit_code.failed "%s" message
 
 let is_same_file a b =
   match (Unix.stat a, Unix.stat b) with

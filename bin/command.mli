@@ -37,17 +37,17 @@ val refuse : string list -> 'a
 val scene_arg : string Cmdliner.Term.t
 (** [scene_arg] is the positional argument SCENE. *)
 
-val load_scene : allow:string list -> string -> Raylab_scene.Scene.t
-(** [load_scene ~allow path] is the scene at [path], which may include files in
-    the folders [allow], too; or it prints what is wrong with it on standard
-    error and ends the program. *)
-
 val read_scene :
   allow:string list ->
   string ->
   Raylab_language.Scene_file.reading * Raylab_scene.Scene.t
-(** [read_scene ~allow path] is likewise all files of the scene at [path], and
-    the scene. *)
+(** [read_scene ~allow path] is the scene at [path], which may include files in
+    the folders [allow], too, and all that was read for it; or it prints what
+    is wrong with it on standard error and ends the program. *)
+
+val handed_over : string -> Raylab_scene.Scene.t
+(** [handed_over path] is the scene that the prompt has written there, or it
+    says what is wrong with it and ends the program. *)
 
 val is_same_file : string -> string -> bool
 (** [is_same_file a b] is whether there is one file that both paths lead to. *)

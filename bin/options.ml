@@ -136,19 +136,22 @@ let adjust ({ size; grey; _ } as view) scene =
   | Some (width, height) ->
       Scene.with_camera (Camera.with_size ~width ~height scene.camera) scene
 
-let warn view { Scene.camera; _ } =
-  match view.size with
-  | None -> ()
-  | Some (width, height) -> (
-      let sized = Camera.with_size ~width ~height camera in
-      match Proportions.distortion sized with
-      | Some how when Proportions.distortion camera <> Some how ->
-          Command.say
-            "warning: --size %dx%d distorts the picture, which looks %s; \
-             %dx%d would not"
-            width height how width
-            (Proportions.fitting_height sized)
-      | _ -> ())
+let adjust_colored view = adjust { view with grey = false }
+
+let distortion view { Scene.camera; _ } =
+  let of_size (width, height) =
+    let sized = Camera.with_size ~width ~height camera in
+    match Proportions.distortion sized with
+    | Some how when Proportions.distortion camera <> Some how ->
+        Some
+          (Printf.sprintf
+             "--size %dx%d distorts the picture, which looks %s; %dx%d would \
+              not"
+             width height how width
+             (Proportions.fitting_height sized))
+    | _ -> None
+  in
+  Option.bind view.size of_size
 
 let folder =
   let parse text =
@@ -166,6 +169,9 @@ let allow =
      times."
   in
   Arg.(value & opt_all folder [] & info [ "allow" ] ~docv:"DIR" ~doc)
+
+let from_prompt =
+  Arg.(value & flag & info [ "from-prompt" ] ~docs:Manpage.s_none)
 
 let number_of_domains =
   count "domains" ~most:Parallel.max_domains ~docv:"DOMAINS"

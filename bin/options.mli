@@ -17,19 +17,27 @@ val is_grey : view -> bool
 val arguments : view -> string list
 (** [arguments view] is how a command line says it. *)
 
-val warn : view -> Raylab_scene.Scene.t -> unit
-(** [warn view scene] says on standard error if the size that is asked for
-    distorts the picture of [scene], which {!adjust} has not yet changed, more
-    than its own size does. *)
-
 val adjust : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
 (** [adjust view scene] is [scene] as the options want it. *)
+
+val adjust_colored : view -> Raylab_scene.Scene.t -> Raylab_scene.Scene.t
+(** [adjust_colored view scene] is likewise, but for its colours, which stay as
+    they are written. *)
+
+val distortion : view -> Raylab_scene.Scene.t -> string option
+(** [distortion view scene] says if the size that is asked for distorts the
+    picture of [scene], which {!adjust} has not yet changed, otherwise than its
+    own size does. *)
 
 (** {1 Which files} *)
 
 val allow : string list Term.t
 (** [allow] is option --allow: folders that files may be in that the scene
     names. *)
+
+val from_prompt : bool Term.t
+(** [from_prompt] is option --from-prompt, which no manual tells of: the scene
+    is one that the prompt hands over. See {!Raylab_toplevel.Handover}. *)
 
 (** {1 How it is computed} *)
 

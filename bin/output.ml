@@ -5,6 +5,15 @@ open Raylab_picture
 let beside ?(format = Picture_file.Bmp) scene =
   Scene_file.without_extension scene ^ Picture_file.extension format
 
+let protect path reading =
+  let is_it { Raylab_source.Sources.path = file; _ } =
+    Command.is_same_file path file
+  in
+  let files = Raylab_source.Sources.files reading.Scene_file.sources in
+  if path <> "-" && List.exists is_it files then
+    Command.usage_error
+      "%s is a file of the scene; the picture would replace it" path
+
 let format ?wanted path ~inputs ~named =
   if path = "" then
     Command.usage_error "option -o: the name of the file is empty";

@@ -18,6 +18,10 @@ val format :
     error if there is no such format or it is not [wanted], if [path] is empty,
     or if it is one of the files [inputs], which messages call [named]. *)
 
+val protect : string -> Raylab_language.Scene_file.reading -> unit
+(** [protect path reading] ends the program with a usage error if the file at
+    [path] is one of those that were read for the scene. *)
+
 val wanted : Picture_file.format option Cmdliner.Term.t
 (** [wanted] is the option [--format]. *)
 

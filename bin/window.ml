@@ -12,16 +12,16 @@ let check_size (scene : Scene.t) =
   let { Camera.width; height; _ } = scene.camera in
   Picture_file.check_size Bmp ~width ~height
 
-let load ~allow path ?watch ~adjust () =
+let load ~allow path ?watch ?(on_read = ignore) ~adjust () =
   let access = Raylab_disk.Disk.access ~allow in
-  let { Scene_file.sources; missing; scene; _ } =
-    Scene_file.read ~access path
-  in
+  let reading = Scene_file.read ~access path in
+  let { Scene_file.sources; missing; scene; _ } = reading in
   let paths =
     List.map (fun file -> file.Sources.path) (Sources.files sources)
   in
   let follow watch = Watch.follow watch (paths @ missing) in
   Option.iter follow watch;
+  on_read reading;
   match scene with
   | Ok scene ->
       let scene = adjust scene in

@@ -12,12 +12,14 @@ val load :
   allow:string list ->
   string ->
   ?watch:Watch.t ->
+  ?on_read:(Raylab_language.Scene_file.reading -> unit) ->
   adjust:(Scene.t -> Scene.t) ->
   unit ->
   (Scene.t, string) result
-(** [load ~allow path ~watch ~adjust ()] is [adjust] of the scene at [path], or
-    the text of all that is wrong with it or with its size. [watch] then
-    follows all files that were read, or could not be. *)
+(** [load ~allow path ~watch ~on_read ~adjust ()] is [adjust] of the scene at
+    [path], or the text of all that is wrong with it or with its size. [watch]
+    then follows all files that were read, or could not be, and [on_read], by
+    default nothing, is done with what was read. *)
 
 val source :
   ?out:string ->

@@ -18,6 +18,15 @@ let distortion ({ Camera.width; height; _ } as camera) =
          (if stretch < 1. then 1. /. stretch else stretch)
          (if stretch < 1. then "wide" else "high"))
 
+let warnings camera =
+  let distorted how =
+    let text =
+      "canvas and picture differ in proportions: the picture looks " ^ how
+    in
+    { Warning.text; about = [] }
+  in
+  Option.to_list (Option.map distorted (distortion camera))
+
 let fitting_height ({ Camera.width; _ } as camera) =
   let height = Float.round (float_of_int width /. of_canvas camera) in
   int_of_float (Float.max 1. (Float.min height (float_of_int Camera.max_size)))

@@ -63,10 +63,6 @@ let findings scene =
   let needs_light { Lobes.albedo; _ } = not (Color.equal albedo Color.black)
   and mirrors { Lobes.mirror; _ } = not (Color.equal mirror Color.black) in
   let of_all text = { Warning.text; about = [] } in
-  let distorted how =
-    of_all
-      ("canvas and picture differ in proportions: the picture looks " ^ how)
-  in
   List.filter_map
     (fun (holds, text) -> if holds () then Some (of_all text) else None)
     [
@@ -82,7 +78,7 @@ let findings scene =
         "samples is 1: whatever the aperture, everything is sharp; say \
          samples 64 or so" );
     ]
-  @ Option.to_list (Option.map distorted (Proportions.distortion scene.camera))
+  @ Proportions.warnings scene.camera
   @ Byte_colors.warnings ~background:scene.background scene.lights
       scene.objects
   @ Kept_in.warnings scene.camera scene.lights scene.objects

@@ -41,10 +41,7 @@ let remove_quietly remove path = try remove path with Sys_error _ -> ()
 let with_scene_file ?(name = "scene") scene f =
   let directory = Filename.temp_dir "raylab" "" in
   let path = Filename.concat directory name in
-  let write channel =
-    let ppf = Format.formatter_of_out_channel channel in
-    Format.fprintf ppf "%a@?" Scene_file.print scene
-  in
+  let write channel = Handover.write channel scene in
   Fun.protect
     ~finally:(fun () ->
       remove_quietly Sys.remove path;
@@ -89,7 +86,9 @@ let render_with program path =
   let output, input = Unix.pipe ~cloexec:true () in
   let channel = Unix.in_channel_of_descr output in
   set_binary_mode_in channel true;
-  let pid = start program [ "render"; path; "-o"; "-" ] ~output:input in
+  let pid =
+    start program [ "render"; "--from-prompt"; path; "-o"; "-" ] ~output:input
+  in
   let picture =
     try
       Unix.close input;
@@ -158,4 +157,4 @@ let show ?file ?(time = 0.) scene =
       show_with program (List.map allow (Session.allowed ())) file
   | Some program, _ ->
       with_scene_file ~name scene
-        (show_with program [ "--no-lines"; "--output=" ^ out ])
+        (show_with program [ "--from-prompt"; "--output=" ^ out ])

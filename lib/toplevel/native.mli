@@ -2,9 +2,9 @@
 
     A prompt runs bytecode, which renders some 17 times slower than native
     code. So whole pictures are left to the [raylab] that started the prompt:
-    it gets the scene in a temporary file, in the scene language, and gives the
-    picture back. It is the same tracer, so the picture is the same, bit for
-    bit. *)
+    it gets the scene by {!Handover}, in a temporary file that only its user
+    can read, and gives the picture back. It is the same tracer, so the picture
+    is the same, bit for bit. *)
 
 open Raylab_scene
 open Raylab_tracer

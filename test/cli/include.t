@@ -27,6 +27,25 @@ Scenes of several files. test/language/test_include.ml tells what they mean.
   
   ray 1: (0, 0, -4) + t (0.0312195, -0.0312195, 0.999025), 4 left in the chain
 
+No picture replaces one of the files.
+
+  $ ln -s parts/wood.scene house/wood.png
+  $ ln house/parts/base.scene house/base.svg
+  $ raylab render house/main.scene -o house/wood.png
+  raylab: house/wood.png is a file of the scene; the picture would replace it
+  [124]
+  $ raylab view house/main.scene -o house/wood.png
+  raylab: house/wood.png is a file of the scene; the picture would replace it
+  [124]
+  $ raylab slurm house/main.scene -o house/wood.png --bands 2
+  raylab: house/wood.png is a file of the scene; the picture would replace it
+  [124]
+  $ raylab explain house/main.scene 8,6 --svg house/base.svg
+  raylab: house/base.svg is a file of the scene; the picture would replace it
+  [124]
+  $ raylab check house/main.scene
+  $ rm house/wood.png house/base.svg
+
 Names are relative to the file that names them, wherever one works; of standard
 input to the current folder.
 
@@ -64,6 +83,7 @@ a folder that is allowed. Nothing else is read.
   house/x.scene: warning: there is no light: diffusive surfaces are black
   $ raylab render -q house/x.scene --allow . -o out/x.png
   $ raylab explain house/x.scene 2,1 --allow shared | head -2
+  house/x.scene: warning: there is no light: diffusive surfaces are black
   pixel (2, 1) is rgb 0 0 0: the black background, since the ray hits nothing
   
   $ ln -s ../shared/wood.scene house/link.scene

@@ -47,6 +47,7 @@ whole pixels come no nearer, or nothing is to be told.
   $ rm -r out job.slurm
   $ sed 's/imWidth 60   imHeight 40/imWidth 60 imHeight 80/' mirror.scene > high.scene
   $ raylab render high.scene --size 120x160 -o small.ppm
+  high.scene: warning: canvas and picture differ in proportions: the picture looks 2 times as high as it should
   raylab: wrote small.ppm
   $ raylab render mirror.scene --size 7x5 -q -o small.ppm
 

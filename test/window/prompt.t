@@ -15,6 +15,9 @@
   > load "green.scene";;
   > show ();;
   > print_endline "closed twice";;
+  > use (Scene.with_ray_depth 3 (scene ()));;
+  > show ();;
+  > print_endline "closed thrice";;
   > use (Scene.without_places (scene ()));;
   > show ();;
   > EOF
@@ -33,7 +36,16 @@ The window is that of the native program.
   $ press s
   $ until_ok test -s green.bmp
   $ xdotool windowkill "$window"
+
+What is made of values shows where its objects come from, as far as that is known.
+
   $ until_ok said 'closed twice'
+  $ until_ok has_window '^scene'
+  $ until_ok is_picture green.rgb
+  $ click 60 45
+  $ until_ok said 'green sphere (object 1, line 2)'
+  $ press q
+  $ until_ok said 'closed thrice'
   $ until_ok has_window '^scene'
   $ until_ok is_picture green.rgb
   $ click 60 45
@@ -63,6 +75,10 @@ If there is none it is the prompt's own.
   $ until_ok is_picture green.rgb
   $ press q
   $ until_ok said 'closed twice'
+  $ until_ok has_window '^scene'
+  $ until_ok is_picture green.rgb
+  $ press q
+  $ until_ok said 'closed thrice'
   $ until_ok has_window '^scene'
   $ until_ok is_picture green.rgb
   $ whole
@@ -112,10 +128,14 @@ Without a display it says so, and the prompt goes on.
   raylab: no display was found: DISPLAY is not set
   closed twice
   raylab: no display was found: DISPLAY is not set
+  closed thrice
+  raylab: no display was found: DISPLAY is not set
   $ raylab repl red.scene here.ml
   no display was found: DISPLAY is not set
   closed once
   green.scene: 1 object, 0 lights, 120 x 90 pixels
   no display was found: DISPLAY is not set
   closed twice
+  no display was found: DISPLAY is not set
+  closed thrice
   no display was found: DISPLAY is not set
