@@ -285,18 +285,20 @@ let all =
       if role = Operator then None else Some (word, token))
     table
 
-let tokens is_it =
-  let row { word; token; _ } = (String.lowercase_ascii word, token) in
+let rows is_it =
+  let named row = (String.lowercase_ascii row.word, row) in
   let found =
-    Hashtbl.of_seq (List.to_seq (List.map row (List.filter is_it table)))
+    Hashtbl.of_seq (List.to_seq (List.map named (List.filter is_it table)))
   in
   fun word -> Hashtbl.find_opt found (String.lowercase_ascii word)
 
-let token = tokens (fun { role; _ } -> role <> Operator)
-let reserved = tokens (fun { role; _ } -> role = Structure)
+let find = rows (fun { role; _ } -> role <> Operator)
 
-let reserved_inside =
-  tokens (fun { role; _ } -> role = Structure || role = Operator)
+let find_reserved_inside =
+  rows (fun { role; _ } -> role = Structure || role = Operator)
 
+let token_of row = row.token
+let token word = Option.map token_of (find word)
+let reserved_inside word = Option.map token_of (find_reserved_inside word)
 let of_symbol symbol = List.find_opt (fun row -> row.symbol = symbol) table
 let nearest = Raylab_expression.Nearest.find

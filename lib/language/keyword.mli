@@ -40,15 +40,16 @@ val all : (string * Parser.token) list
 (** [all] is every keyword and colour name, as one writes it, with its token.
 *)
 
-val token : string -> Parser.token option
-(** [token word] is the token of the keyword or colour name [word], whatever
-    its case; operators are not among them. *)
+val find : string -> t option
+(** [find word] is the keyword or colour name [word], whatever its case;
+    operators are not among them. *)
 
-val reserved : string -> Parser.token option
-(** [reserved word] is the token of [word] if it is never a name. *)
+val token : string -> Parser.token option
+(** [token word] is the token of {!find}[ word]. *)
 
 val reserved_inside : string -> Parser.token option
-(** [reserved_inside word] is the same in brackets. *)
+(** [reserved_inside word] is the token of [word] if it is never a name in
+    brackets. *)
 
 val of_symbol : string -> t option
 (** [of_symbol symbol] is the first word of this token. *)

@@ -122,23 +122,27 @@ let looks_like_name text =
 let word state lexbuf text =
   let is_bound = state.after = Binder in
   state.after <- Other;
-  match Keyword.reserved text with
-  | Some token -> structural state lexbuf token
-  | None ->
+  match Keyword.find text with
+  | Some { role = Structure; token; _ } -> structural state lexbuf token
+  | found -> (
       state.after_else <- false;
       if is_bound && looks_like_name text then (
         introduce state lexbuf text;
         Parser.NAME text)
       else if is_name state text then Parser.NAME text
-      else (
-        match Keyword.token text with
-        | Some token -> structural state lexbuf token
+      else
+        match found with
+        | Some { token; _ } -> structural state lexbuf token
         | None -> Parser.WORD text)
 
 (* Of a word right before a bracket: whether it is called. *)
 let is_called state text =
-  Keyword.reserved text = None
-  && (state.after = Binder || is_name state text)
+  let is_reserved =
+    match Keyword.find text with
+    | Some { role = Structure; _ } -> true
+    | _ -> false
+  in
+  (not is_reserved) && (state.after = Binder || is_name state text)
 
 let call state lexbuf text =
   if state.after = Binder then (

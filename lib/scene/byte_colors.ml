@@ -22,12 +22,20 @@ let of_light k (light : Light.t) =
     Some { name = Printf.sprintf "light %d" (k + 1); color; origin }
   else None
 
-let of_object k (o : Object.t) =
-  let named color =
-    { name = Warning.name (k + 1) o; color; origin = o.origin }
+(* There may be millions of objects: nothing is made of those that are right. *)
+let of_objects objects =
+  let add_object (number, found) (o : Object.t) =
+    let add_color found color =
+      if looks_so color then
+        { name = Warning.name number o; color; origin = o.origin } :: found
+      else found
+    in
+    let add_surface found surface =
+      List.fold_left add_color found (Surface.colors surface)
+    in
+    (number + 1, List.fold_left add_surface found (Object.surfaces o))
   in
-  List.concat_map Surface.colors (Object.surfaces o)
-  |> List.filter looks_so |> List.map named
+  List.rev (snd (List.fold_left add_object (1, []) objects))
 
 let of_background color =
   if looks_so color then
@@ -37,5 +45,5 @@ let of_background color =
 let warnings ~background lights objects =
   of_background background
   @ List.filter_map Fun.id (List.mapi of_light lights)
-  @ List.concat (List.mapi of_object objects)
+  @ of_objects objects
   |> Warning.few "colour" sentence

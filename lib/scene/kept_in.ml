@@ -45,18 +45,26 @@ let sentence { number; light; by; o; eye } =
 let most_pairs = 10_000_000
 
 let warnings camera lights objects =
-  let eye = Camera.eye camera in
-  let sides = List.mapi (fun k o -> (k + 1, o, side camera o eye)) objects in
-  let looked_at = Int.max 1 (most_pairs / Int.max 1 (List.length objects)) in
-  let kept_in k light =
-    let keeps (by, o, eye) =
-      match (eye, light_side camera o light) with
-      | _ when o.is_shadowless -> None
-      | Inside, Outside | Outside, Inside ->
-          Some { number = k + 1; light; by; o; eye }
-      | _ -> None
+  let eye = Camera.eye camera and objects = Array.of_list objects in
+  let sides = Array.map (fun o -> side camera o eye) objects in
+  let count = Array.length objects in
+  let looked_at = Int.max 1 (most_pairs / Int.max 1 count) in
+  let rec keeper light k =
+    if k = count then None
+    else
+      let o = objects.(k) in
+      match (sides.(k), light_side camera o light) with
+      | (Inside, Outside | Outside, Inside) when not o.is_shadowless -> Some k
+      | _ -> keeper light (k + 1)
+  in
+  let kept_in number light =
+    let tell k =
+      { number; light; by = k + 1; o = objects.(k); eye = sides.(k) }
     in
-    if k < looked_at then List.find_map keeps sides else None
+    Option.map tell (keeper light 0)
+  in
+  let kept_in k light =
+    if k < looked_at then kept_in (k + 1) light else None
   in
   List.mapi kept_in lights |> List.filter_map Fun.id
   |> Warning.few "light" sentence

@@ -68,6 +68,20 @@ let test_spheres () =
       ball matt; sphere (v 0. 0. 6.) 1.000001 matt; sphere (v 0. 0. 7.) 1. matt;
     ]
 
+(* What is changed has many numbers, and begins as others do. *)
+let test_changed () =
+  let open Raylab_geometry in
+  let egg way =
+    let change =
+      Change.of_modifiers [ Stretched (v 1. 2. 3.); Translated way ]
+    in
+    Object.transformed change (sphere (v 0. 0. 6.) 1. matt)
+  in
+  check "the same"
+    [ "sphere 2 is where sphere 1 is: they hide each other" ]
+    [ egg (v 1. 2. 3.); egg (v 1. 2. 3.) ];
+  check "others" [] (List.init 100 (fun k -> egg (v 1. 2. (float_of_int k))))
+
 let test_several () =
   check "each with the first, and the lines"
     [
@@ -94,6 +108,7 @@ let suite =
     [
       Alcotest.test_case "planes" `Quick test_planes;
       Alcotest.test_case "spheres" `Quick test_spheres;
+      Alcotest.test_case "changed ones" `Quick test_changed;
       Alcotest.test_case "several" `Quick test_several;
       Alcotest.test_case "of two files" `Quick test_of_two_files;
       any_plane;
