@@ -3,13 +3,18 @@ type t = {
   mutable made : int;
   mutable depth : int;
   most_steps : int;
+  most_made : int;
 }
 
 let scene_steps = 100_000_000
 let pattern_steps = 100_000
 let most_made = 20_000_000
 let most_calls = 1_000
-let start ~steps = { steps = 0; made = 0; depth = 0; most_steps = steps }
+
+let limited ~steps ~made =
+  { steps = 0; made = 0; depth = 0; most_steps = steps; most_made = made }
+
+let start ~steps = limited ~steps ~made:most_made
 let scene () = start ~steps:scene_steps
 
 let grouped n =
@@ -36,18 +41,18 @@ let step budget span =
   if steps > budget.most_steps then no_more_steps budget span
 
 let steps budget span count =
-  (* no sum of two counts overflows *)
-  let steps = budget.steps + Int.min count budget.most_steps in
+  (* one too many is enough, and no sum of two counts overflows *)
+  let steps = budget.steps + Int.min count (budget.most_steps + 1) in
   budget.steps <- steps;
   if steps > budget.most_steps then no_more_steps budget span
 
 let make budget span count =
-  let made = budget.made + Int.min count most_made in
+  let made = budget.made + Int.min count (budget.most_made + 1) in
   budget.made <- made;
-  if made > most_made then
+  if made > budget.most_made then
     exceeded span
       (Printf.sprintf "more than %s objects and elements of lists are computed"
-         (grouped most_made))
+         (grouped budget.most_made))
 
 let enter budget span =
   let depth = budget.depth + 1 in

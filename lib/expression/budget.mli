@@ -10,6 +10,7 @@ type t = {
   mutable made : int;  (** computed objects and elements of lists *)
   mutable depth : int;  (** of the calls that are going on *)
   most_steps : int;
+  most_made : int;
 }
 (** The type for budgets. *)
 
@@ -25,8 +26,12 @@ val most_made : int
 val most_calls : int
 (** [most_calls] is 1,000: how deep calls nest. *)
 
+val limited : steps:int -> made:int -> t
+(** [limited ~steps ~made] is a new budget of that many steps, and that many
+    objects and elements of lists. *)
+
 val start : steps:int -> t
-(** [start ~steps] is a new budget of that many steps. *)
+(** [start ~steps] is {!limited}[ ~steps ~made:most_made]. *)
 
 val scene : unit -> t
 (** [scene ()] is {!start}[ ~steps:scene_steps]. *)

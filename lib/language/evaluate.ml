@@ -3,14 +3,8 @@ open Raylab_expression
 
 let nowhere = { Span.start = 0; stop = 0 }
 
-let start findings time =
-  let run =
-    {
-      Value.budget = Budget.scene ();
-      describe = Thing.describe;
-      trail = Start;
-    }
-  in
+let start findings budget time =
+  let run = { Value.budget; describe = Thing.describe; trail = Start } in
   let report span ~advice message =
     Findings.error findings span message ~advice
   in
@@ -67,9 +61,10 @@ let run_items check scope frame sink names items =
   in
   ignore (List.fold_left run scope items : Scope.t)
 
-let scene ?(time = 0.) sources (syntax : Syntax.t) =
+let scene ?(time = 0.) ?(budget = Budget.scene ()) sources (syntax : Syntax.t)
+    =
   let findings = Findings.start sources in
-  let scope, frame = start findings time in
+  let scope, frame = start findings budget time in
   let check = Check.start findings scope frame in
   let header = Check_header.start check and names = Twice.start check in
   let sink = Sink.scene () in

@@ -103,7 +103,7 @@ let structural state lexbuf (token : Parser.token) =
   | INCLUDE -> state.after <- File_name
   | FOR -> open_block state lexbuf; state.after <- Binder
   | IF -> if not after_else then open_block state lexbuf
-  | GROUP -> open_block state lexbuf
+  | GROUP | UNION | INTERSECTION | DIFFERENCE -> open_block state lexbuf
   | ELSE ->
       close_block state;
       open_block state lexbuf;

@@ -115,6 +115,11 @@ let scenes =
       "let r = 1 group let r = 2 sphere 0 0 6 r reflective end sphere 0 0 6 r \
        reflective"
       "sphere 0 0 6 2 reflective sphere 0 0 6 1 reflective";
+    same "a block of a solid is one, too"
+      "group let red = 0 0 1 union let red = 0 1 0 sphere 0 0 6 1 diffusive \
+       red end sphere 0 0 9 1 diffusive red end sphere 0 0 9 2 diffusive red"
+      "union sphere 0 0 6 1 diffusive green end sphere 0 0 9 1 diffusive blue \
+       sphere 0 0 9 2 diffusive red";
     same "lights among objects"
       "sphere 0 0 6 1 reflective spherical 1 red 0 0 0"
       "lights spherical 1 red 0 0 0 objects sphere 0 0 6 1 reflective";
