@@ -10,8 +10,12 @@ let suggestion scope name ~calls =
 
 let unknown scope name span ~calls =
   let what = if calls then "function" else "name" in
-  Scope.report_once scope name span
-    ~advice:(suggestion scope name ~calls)
+  let advice =
+    match Scope.hint scope name with
+    | Some hint -> hint
+    | None -> suggestion scope name ~calls
+  in
+  Scope.report_once scope name span ~advice
     (Printf.sprintf "unknown %s '%s'" what name);
   fun _ -> raise Fault.Known
 

@@ -16,15 +16,17 @@ type t = {
   level : int;
   room : room;
   report : report;
+  hint : string -> string option;
   told : (string, unit) Hashtbl.t;
 }
 
-let start report =
+let start ?(hint = fun _ -> None) report =
   {
     names = Names.empty;
     level = 0;
     room = { size = 0 };
     report;
+    hint;
     told = Hashtbl.create 17;
   }
 
@@ -45,6 +47,7 @@ let level scope = scope.level
 let find scope name = Names.find_opt (key name) scope.names
 let names scope = List.map fst (Names.bindings scope.names)
 let report scope = scope.report
+let hint scope name = scope.hint name
 
 let report_once scope name span ~advice message =
   if not (Hashtbl.mem scope.told (key name)) then (

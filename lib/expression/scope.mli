@@ -19,8 +19,9 @@ type t
 type report = Span.t -> advice:string -> string -> unit
 (** The type for what tells an error that is found before the evaluation. *)
 
-val start : report -> t
-(** [start report] knows no name. *)
+val start : ?hint:(string -> string option) -> report -> t
+(** [start ~hint report] knows no name. [hint name] is what is said of an
+    unknown [name] that means something elsewhere, by default nothing. *)
 
 val bind : t -> ?is_defined:bool -> string -> Span.t -> t * binding
 (** [bind scope name span] knows [name] as well, in a new slot. *)
@@ -48,6 +49,9 @@ val names : t -> string list
 
 val report : t -> report
 (** [report scope] tells an error. *)
+
+val hint : t -> string -> string option
+(** [hint scope name] is what there is to be said of an unknown [name]. *)
 
 val report_once : t -> string -> Span.t -> advice:string -> string -> unit
 (** [report_once scope name span ~advice message] tells an error about [name],

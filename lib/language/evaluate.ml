@@ -8,7 +8,9 @@ let start findings budget time =
   let report span ~advice message =
     Findings.error findings span message ~advice
   in
-  let scope, binding = Scope.bind (Scope.start report) "time" nowhere in
+  let scope, binding =
+    Scope.bind (Scope.start report ~hint:Habit.of_name) "time" nowhere
+  in
   let frame = Frame.start run ~size:8 in
   Frame.set binding frame (Number time);
   (scope, frame)

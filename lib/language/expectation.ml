@@ -35,12 +35,16 @@ let shapes =
 let next_item = "a shape: " ^ shapes ^ ". Settings stand before the objects"
 
 let vector letter =
-  Printf.sprintf "the %s of a point or vector, which is three numbers: x y z"
+  Printf.sprintf
+    "the %s of a point or vector, which is three numbers: x y z.\n\
+     One that has a name stands in [ ]"
     letter
 
 let channel name =
   Printf.sprintf
-    "the %s of a colour: a colour is three numbers, red green blue" name
+    "the %s of a colour: a colour is three numbers, red green blue.\n\
+     One that is computed stands in [ ], such as [hsv(120, 1, 1)]"
+    name
 
 let value =
   "the value after =: a number, a colour, what stands in brackets, a surface, \

@@ -25,7 +25,13 @@ let special (token : Parser.token) =
 let syntax_error sources checkpoint state names token (start : Lexing.position)
     (stop : Lexing.position) =
   let span = { Span.start = start.pos_cnum; stop = stop.pos_cnum } in
+  let acceptable token = Engine.acceptable checkpoint token start in
   let { Expectation.noun = expected; advice } = Expectation.of_state state in
+  let habit =
+    let text = Sources.slice sources span in
+    Option.fold ~none:"" ~some:(( ^ ) "\n")
+      (Habit.advice ~acceptable ~expected ~text token)
+  in
   let article =
     match expected.[0] with
     | 'a' | 'e' | 'i' | 'o' | 'u' -> "an "
@@ -35,14 +41,14 @@ let syntax_error sources checkpoint state names token (start : Lexing.position)
   match (special token, (token : Parser.token)) with
   | Some (message, advice), _ -> Scene_error.make sources span message ~advice
   | None, WORD _ ->
-      let acceptable token = Engine.acceptable checkpoint token start in
       Unknown_word.error sources span ~acceptable ~names ~expected ~advice
+        ~habit
   | None, EOF ->
       Scene_error.make sources span ~advice
         (Printf.sprintf "the file ends where %s%s should follow" article
            expected)
   | None, _ ->
-      Scene_error.make sources span ~advice
+      Scene_error.make sources span ~advice:(advice ^ habit)
         (Printf.sprintf "%s%s should stand here, not '%s'" article expected
            (Sources.quote sources span))
 

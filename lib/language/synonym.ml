@@ -69,6 +69,13 @@ let rows =
     ( "focus",
       "focal focal-distance focus-distance focal-plane focal-point dof \
        depth-of-field" );
+    ("let", "var def define const val function func fun assign");
+    ("for", "repeat while loop foreach");
+    ("else", "elif elseif elsif otherwise");
+    ("end", "endif endfor endgroup fi done next");
+    ("by", "step");
+    ("include", "import require");
+    ("group", "assembly compound");
     ("cyan", "aqua");
     ("magenta", "fuchsia");
     ("green", "lime");

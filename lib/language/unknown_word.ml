@@ -44,7 +44,8 @@ let character_told sources word_span found =
   let place = Sources.place sources (span_of word_span found) in
   Printf.sprintf " There is %s, in column %d." found.name place.first
 
-let word_error sources span ~acceptable ~names:known ~expected ~advice word =
+let word_error sources span ~acceptable ~names:known ~expected ~advice ~habit
+    word =
   let quoted = Sources.quote sources span in
   let message =
     if expected.[0] = '\'' then
@@ -61,16 +62,19 @@ let word_error sources span ~acceptable ~names:known ~expected ~advice word =
       ~some:(character_told sources span)
       (Lookalike.first word)
   and suggestion =
-    match Suggestion.sentence ~acceptable ~names:known word with
-    | "" -> ""
-    | sentence -> " " ^ sentence
+    if habit <> "" then habit
+    else
+      match Suggestion.sentence ~acceptable ~names:known word with
+      | "" -> ""
+      | sentence -> " " ^ sentence
   in
   Scene_error.make sources span message
     ~advice:(advice ^ names ^ character ^ suggestion)
 
-let error sources span ~acceptable ~names ~expected ~advice =
+let error sources span ~acceptable ~names ~expected ~advice ~habit =
   let word = Sources.slice sources span in
   match Lookalike.first word with
   | Some found when is_known (Lookalike.plain word) ->
       character_error sources span found
-  | _ -> word_error sources span ~acceptable ~names ~expected ~advice word
+  | _ ->
+      word_error sources span ~acceptable ~names ~expected ~advice ~habit word

@@ -14,6 +14,7 @@ let () =
       Test_error_place.suite;
       Test_error_messages.suite;
       Test_program_errors.suite;
+      Test_habit.suite;
       Test_limits.suite;
       Test_program.suite;
       Test_provenance.suite;
