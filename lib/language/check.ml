@@ -31,30 +31,52 @@ let file check base compile =
 let findings check = check.findings
 let failed check = check.failed
 
+let fail check (run : _ Value.run) trail depth =
+  run.trail <- trail;
+  run.budget.depth <- depth;
+  check.failed <- true
+
 let attempt check (frame : frame) default f =
   let run = frame.run in
-  let around = run.trail and depth = run.budget.depth in
-  let fail () =
-    run.trail <- around;
-    run.budget.depth <- depth;
-    check.failed <- true;
-    default
-  in
+  let trail = run.trail and depth = run.budget.depth in
   match f () with
   | value -> value
   | exception Fault.Found ({ ends = false; _ } as fault) ->
       Findings.fault check.findings fault run.trail;
-      fail ()
-  | exception Fault.Known -> fail ()
+      fail check run trail depth;
+      default
+  | exception Fault.Known ->
+      fail check run trail depth;
+      default
 
 let whole check build =
-  let before = check.failed in
-  check.failed <- false;
-  match build () with
-  | built ->
-      let failed = check.failed in
-      check.failed <- before;
-      if failed then raise_notrace Fault.Known else built
-  | exception e ->
-      check.failed <- before;
-      raise e
+  let whole frame =
+    let before = check.failed in
+    check.failed <- false;
+    match build frame with
+    | built ->
+        let failed = check.failed in
+        check.failed <- before;
+        if failed then raise_notrace Fault.Known else built
+    | exception e ->
+        check.failed <- before;
+        raise e
+  in
+  whole
+
+let item check code =
+  let item (frame : frame) sink =
+    let run = frame.run in
+    let trail = run.trail and depth = run.budget.depth in
+    let before = check.failed in
+    check.failed <- false;
+    match code frame sink with
+    | () ->
+        if check.failed then fail check run trail depth
+        else check.failed <- before
+    | exception Fault.Found ({ ends = false; _ } as fault) ->
+        Findings.fault check.findings fault run.trail;
+        fail check run trail depth
+    | exception Fault.Known -> fail check run trail depth
+  in
+  item

@@ -31,9 +31,16 @@ val attempt : t -> frame -> 'a -> (unit -> 'a) -> 'a
 (** [attempt check frame default f] is [f ()], or [default] after telling what
     went wrong. What ends all evaluation is raised again. *)
 
-val whole : t -> (unit -> 'a) -> 'a
-(** [whole check build] is [build ()]. If anything in it was told to be wrong,
-    it raises {!Raylab_expression.Fault.Known}. *)
-
 type 'a ready = frame -> 'a
 (** The type for what is made ready to be evaluated. *)
+
+(** What follows is nested as deep as calls are, and JavaScript's stack is
+    small: so each is one function, of all that it takes at once. *)
+
+val whole : t -> 'a ready -> 'a ready
+(** [whole check build frame] is [build frame]. If anything in it was told to
+    be wrong, it raises {!Raylab_expression.Fault.Known}. *)
+
+val item : t -> (frame -> 'sink -> unit) -> frame -> 'sink -> unit
+(** [item check code frame sink] is {!attempt} of {!whole} of
+    [code frame sink]. *)

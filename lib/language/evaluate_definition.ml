@@ -4,12 +4,15 @@ let value block check scope (value : Syntax.value) : Thing.t Code.t =
   match value with
   | Expression e -> Code.compile scope e
   | Surface s ->
-      let surface = Evaluate_surface.compile check scope s in
-      fun frame ->
-        Thing (Surface (Check.whole check (fun () -> surface frame)))
+      let surface =
+        Check.whole check (Evaluate_surface.compile check scope s)
+      in
+      fun frame -> Thing (Surface (surface frame))
   | Thing placed ->
-      let thing = Evaluate_thing.compile block check scope placed in
-      fun frame -> Thing (Check.whole check (fun () -> thing frame))
+      let thing =
+        Check.whole check (Evaluate_thing.compile block check scope placed)
+      in
+      fun frame -> Thing (thing frame)
 
 let compile block check scope definition =
   let { Syntax.name; name_span; parameters; value = written } = definition in

@@ -1,8 +1,5 @@
 open Raylab_expression
 
-let protect check (frame : Check.frame) f =
-  Check.attempt check frame () (fun () -> Check.whole check f)
-
 let add (frame : Check.frame) sink span node =
   Budget.make frame.run.budget span (Thing.size node).count;
   Sink.add sink frame.run span node
@@ -15,10 +12,9 @@ let ready check ~at origin word node =
         { Raylab_source.Span.start; stop = start + String.length word }
     | None -> at
   in
-  fun (frame : Check.frame) sink ->
-    protect check frame (fun () ->
-        Budget.make frame.run.budget at 1;
-        Sink.add sink frame.run span (Thing.again frame.run.trail node))
+  Check.item check (fun (frame : Check.frame) sink ->
+      Budget.make frame.run.budget at 1;
+      Sink.add sink frame.run span (Thing.again frame.run.trail node))
 
 let rec tell_twice check names (item : Syntax.item) =
   match item with
@@ -49,25 +45,22 @@ and compile check scope ~at (item : Syntax.item) =
       let inner, each = Code.loop scope ~at:name_span name name_span range in
       let body = block check inner ~at:name_span body in
       ( scope,
-        fun frame sink ->
-          protect check frame (fun () ->
-              each frame (fun () -> body frame sink)) )
+        Check.item check (fun frame sink ->
+            each frame (fun () -> body frame sink)) )
   | If { condition; yes; no } ->
       let test = Code.truth scope condition and at = condition.span in
       let yes = block check scope ~at yes and no = block check scope ~at no in
       ( scope,
-        fun frame sink ->
-          protect check frame (fun () ->
-              if test frame then yes frame sink else no frame sink) )
+        Check.item check (fun frame sink ->
+            if test frame then yes frame sink else no frame sink) )
 
 and place check scope placed =
   let thing = Evaluate_thing.compile block check scope placed in
-  fun frame sink ->
-    protect check frame (fun () ->
-        match thing frame with
-        | Thing.Light { node; _ } | Object { node; _ } ->
-            add frame sink placed.span node
-        | Surface _ -> ())
+  Check.item check (fun frame sink ->
+      match thing frame with
+      | Thing.Light { node; _ } | Object { node; _ } ->
+          add frame sink placed.span node
+      | Surface _ -> ())
 
 and block check scope ~at items =
   let names = Twice.start check in
@@ -78,9 +71,9 @@ and block check scope ~at items =
   in
   let _, codes = List.fold_left compile (scope, []) items in
   let codes = Array.of_list (List.rev codes) in
+  (* no Array.iter, which would be on the stack as well *)
   fun frame sink ->
-    Array.iter
-      (fun code ->
-        Budget.step frame.Frame.run.budget at;
-        code frame sink)
-      codes
+    for k = 0 to Array.length codes - 1 do
+      Budget.step frame.Frame.run.budget at;
+      codes.(k) frame sink
+    done

@@ -27,20 +27,22 @@ let shape check scope span shape surface =
   let shape =
     Evaluate_written.compile check scope span ~default:some_shape shape
   and surface = Evaluate_surface.compile check scope surface in
-  fun frame ->
-    Check.whole check (fun () ->
-        let shape = shape frame in
-        let surface = surface frame in
-        let o = Object.make ~origin:(origin frame span) shape surface in
-        Thing.Object (placeable frame (Thing.leaf o)))
+  let make frame =
+    let shape = shape frame in
+    let surface = surface frame in
+    let o = Object.make ~origin:(origin frame span) shape surface in
+    Thing.Object (placeable frame (Thing.leaf o))
+  in
+  Check.whole check make
 
 let light check scope span light =
   let default = some_light ~position:Vec3.zero in
   let light = Evaluate_written.compile check scope span ~default light in
-  fun frame ->
-    Check.whole check (fun () ->
-        let light = Light.with_origin (origin frame span) (light frame) in
-        Thing.Light (placeable frame (Thing.lamp light)))
+  let make frame =
+    let light = Light.with_origin (origin frame span) (light frame) in
+    Thing.Light (placeable frame (Thing.lamp light))
+  in
+  Check.whole check make
 
 (* What recurses on solids has room for it. *)
 let max_depth = 1_000
@@ -54,7 +56,8 @@ let check_solid span grouping nodes node =
   else if (Thing.size node).depth > max_depth then
     Fault.fail span "solids are nested deeper than 1,000"
 
-let group span grouping body frame =
+let group span grouping body : Thing.t Check.ready =
+ fun frame ->
   let sink = Sink.grouping grouping in
   body frame sink;
   let origin = origin frame span in
@@ -120,7 +123,8 @@ let compile block check scope (placed : Syntax.placed) =
   in
   let changes = List.filter_map modifier placed.modifiers
   and casts_none = List.find_opt is_shadowless placed.modifiers in
-  fun frame ->
+  if placed.modifiers = [] then thing
+  else fun frame ->
     match (thing frame, casts_none) with
     | Thing.Light _, Some { span; _ } -> no_shadow span
     | Light light, None -> Thing.Light (changed frame changes light)

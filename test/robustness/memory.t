@@ -26,7 +26,7 @@ Bands are joined piece by piece: these have 30 MB each.
 
 What does not fit ends with one line. No file is there, new or half.
 
-  $ (ulimit -v 1500000; raylab render sky.scene -j 2 --size 30000x30000)
+  $ (ulimit -v 1500000; raylab render sky.scene -q -j 2 --size 30000x30000)
   raylab: out of memory
   [125]
   $ ls -A

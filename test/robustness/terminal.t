@@ -15,7 +15,7 @@ ASCII.
   $ say () { raylab "$@" 2>&1 > /dev/null | sed 's/\xef\xbf\xbd/?/g; s/\xe2\x80\xa6/.../g' > said
   >   LC_ALL=C grep -c '[^ -~]' said > count; tr -d '\n' < count; echo ": $(head -n 1 said)"; }
   $ say render "$esc.scene"
-  0: raylab: wrote a?[31mb?c??.bmp
+  0: a?[31mb?c??.scene: warning: there is no object: the picture is all background
   $ say check "$esc.scene"
   0: a?[31mb?c??.scene: warning: there is no object: the picture is all background
   $ say check "bad$esc"

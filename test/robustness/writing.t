@@ -3,7 +3,7 @@ Faults while a picture is written. More of them are in ../cli/failures.t.
   $ unset DISPLAY
   $ cat > sky.scene <<EOF
   > imWidth 4   imHeight 3   canvWidth 4   canvHeight 3   depth 4
-  > bcolor 0.2 0.4 0.6
+  > bcolor 0.2 0.4 0.6   sphere 0 0 -9 1 luminous white
   > EOF
 
 No permission
@@ -76,7 +76,7 @@ The folder goes away
 --------------------
 
   $ cat > slow.scene <<EOF
-  > imWidth 200   imHeight 200   canvWidth 4   canvHeight 3   depth 4
+  > imWidth 200   imHeight 200   canvWidth 4   canvHeight 4   depth 4
   > raydepth 400
   > plane 0 0 9 0 0 1 reflective   plane 0 0 -9 0 0 1 reflective
   > EOF

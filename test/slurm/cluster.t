@@ -4,7 +4,7 @@ that is rendered at once, byte for byte.
   $ . ./cluster.sh
   $ start_cluster
   $ cat > picture.scene <<END
-  > imWidth 60   imHeight 43   canvWidth 6   canvHeight 4   depth 4
+  > imWidth 60   imHeight 43   canvWidth 6   canvHeight 4.3  depth 4
   > bcolor 0.2 0.3 0.5
   > lights
   > directional 0.9 1 0.9 0.8  1 -2 1.5
@@ -149,7 +149,7 @@ More bands than this Slurm takes
 --------------------------------
 
   $ raylab slurm picture.scene -o e.ppm --size 3x1500 --bands 1500 --submit
-  raylab: warning: --size 3x1500 distorts the picture, which looks 750 times as high as it should; 3x2 would not
+  raylab: warning: --size 3x1500 distorts the picture, which looks 698 times as high as it should; 3x2 would not
   This cluster takes at most 1000 bands (its MaxArraySize is 1001), not 1500. Remove $TESTCASE_ROOT/e.slurm and make the job with fewer.
   raylab: $TESTCASE_ROOT/e.slurm/submit has failed; it may be run again
   [2]

@@ -1,11 +1,11 @@
 What "raylab slurm" writes. ./cluster.t runs it on a real Slurm.
 
   $ cat > sky.scene <<EOF
-  > imWidth 3   imHeight 10   canvWidth 4   canvHeight 3   depth 4
-  > bcolor 0.2 0.4 0.6
+  > imWidth 3   imHeight 10   canvWidth 3   canvHeight 10   depth 4
+  > bcolor 0.2 0.4 0.6   sphere 0 0 -9 1 luminous white
   > EOF
   $ raylab slurm sky.scene -o sky.png --bands 4 --size 6x10 --grey -j 2
-  raylab: warning: --size 6x10 distorts the picture, which looks 2.22 times as high as it should; 6x5 would not
+  raylab: warning: --size 6x10 distorts the picture, which looks 2 times as wide as it should; 6x20 would not
   raylab: wrote $TESTCASE_ROOT/sky.slurm; to submit it, run $TESTCASE_ROOT/sky.slurm/submit
   $ ls sky.slurm
   bands
@@ -214,7 +214,7 @@ A failure of sbatch is one.
 What is missing is named in ranges, however many bands there are.
 
   $ raylab slurm sky.scene -o many.bmp --bands 60000 --size 1x60000 --submit
-  raylab: warning: --size 1x60000 distorts the picture, which looks 8e+04 times as high as it should; 1x1 would not
+  raylab: warning: --size 1x60000 distorts the picture, which looks 1.8e+04 times as high as it should; 1x3 would not
   sbatch --parsable --array=1-60000 bands.sbatch
   job 17 renders bands 1-60000
   sbatch --parsable --dependency=afterany:17 join.sbatch
@@ -266,7 +266,7 @@ A folder belongs to one job. Its scripts may be edited.
   raylab: $TESTCASE_ROOT/new.slurm/picture.scene is of another job, or was edited. Run $TESTCASE_ROOT/new.slurm/submit to go on with that job, or remove $TESTCASE_ROOT/new.slurm to start anew
   [2]
   $ raylab slurm sky.scene -o sky.png --bands 4 --size 6x10 --grey -j 2
-  raylab: warning: --size 6x10 distorts the picture, which looks 2.22 times as high as it should; 6x5 would not
+  raylab: warning: --size 6x10 distorts the picture, which looks 2 times as wide as it should; 6x20 would not
   raylab: $TESTCASE_ROOT/sky.slurm/picture.scene is of another job, or was edited. Run $TESTCASE_ROOT/sky.slurm/submit to go on with that job, or remove $TESTCASE_ROOT/sky.slurm to start anew
   [2]
 

@@ -30,4 +30,5 @@ whatever the pipe is called.
   $ press q
   $ ended
   $ cat err
+  /dev/stdin: warning: there is no object: the picture is all background
   raylab: a scene from standard input has no name to call its picture after: say where it goes with -o
