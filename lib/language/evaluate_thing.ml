@@ -47,23 +47,25 @@ let light check scope span light =
 (* What recurses on solids has room for it. *)
 let max_depth = 1_000
 
-let check_solid span grouping nodes node =
+(* Of nothing may also be what has only parts in error, which are told. *)
+let check_solid check span grouping nodes node =
   let word = Thing.word grouping in
-  if nodes = [] && grouping <> Thing.Solid Union then
+  if Check.failed check then ()
+  else if nodes = [] && grouping <> Thing.Solid Union then
     Fault.fail span
       (Printf.sprintf "%s of nothing" (Thing.a word))
       ~advice:"it needs at least one object"
   else if (Thing.size node).depth > max_depth then
     Fault.fail span "solids are nested deeper than 1,000"
 
-let group span grouping body : Thing.t Check.ready =
+let group check span grouping body : Thing.t Check.ready =
  fun frame ->
   let sink = Sink.grouping grouping in
   body frame sink;
   let origin = origin frame span in
   let nodes = Sink.nodes sink in
   let node = Thing.group ~origin grouping nodes in
-  if grouping <> Together then check_solid span grouping nodes node;
+  if grouping <> Together then check_solid check span grouping nodes node;
   Thing.Object (placeable frame node)
 
 (* What a call makes knows the call. What it only returns has been made before,
@@ -94,7 +96,7 @@ let bare block check scope { Syntax.thing; span; _ } =
   | Shape (written, surface) -> shape check scope span written surface
   | Light written -> light check scope span written
   | Group (grouping, items) ->
-      group span grouping (block check scope ~at:span items)
+      group check span grouping (block check scope ~at:span items)
   | Reference e -> reference scope e
 
 let changed frame modifiers placeable =

@@ -12,8 +12,10 @@ type kind =
   | List
   | Surface
   | Object
+  | Solid  (** an object with an inside *)
   | Number_of of int  (** a function of so many numbers *)
   | Object_of of int
+  | Solid_of of int
 
 let words = [| "a"; "B"; "count_"; "x2"; "size"; "sphere1"; "Pi2"; "time3" |]
 
@@ -177,9 +179,12 @@ and surface scope depth random =
   | _ -> own_surface scope depth random
 
 let modifier scope random =
-  match up_to random 2 with
+  match up_to random 3 with
   | 0 -> "scaled " ^ positive scope random
   | 1 -> "translated " ^ triple scope random
+  | 2 ->
+      sprintf "stretched %s -2 %s" (positive scope random)
+        (positive scope random)
   | _ -> sprintf "rotated 0 1 0.5 %s" (atom scope random)
 
 let modified scope random thing =
@@ -187,41 +192,101 @@ let modified scope random thing =
     (thing
     :: Stdlib.List.init (up_to random 2) (fun _ -> modifier scope random))
 
+let shape scope random =
+  let p () = triple scope random and r () = positive scope random in
+  match up_to random 8 with
+  | 0 -> sprintf "box %s %s" (p ()) (p ())
+  | 1 -> sprintf "cylinder %s %s %s" (p ()) (p ()) (r ())
+  | 2 -> sprintf "cone %s 0 %s %s" (p ()) (p ()) (r ())
+  | 3 -> sprintf "torus %s 0 1 %s 2 0.5" (p ()) (r ())
+  | 4 -> sprintf "plane %s 0 1 %s" (p ()) (r ())
+  | _ -> sprintf "sphere %s %s" (p ()) (r ())
+
+let flat scope random =
+  let p () = triple scope random in
+  match up_to random 2 with
+  | 0 -> sprintf "disc %s 0 1 0 %s" (p ()) (positive scope random)
+  | 1 -> sprintf "triangle %s %s %s" (p ()) (p ()) (p ())
+  | _ -> sprintf "quad %s 1 0 %s 0 1 1" (p ()) (positive scope random)
+
+let solid_leaf scope random = shape scope random ^ " " ^ surface scope 1 random
+
 let leaf scope random =
   modified scope random
-    (match up_to random 5 with
-    | 0 ->
-        sprintf "plane %s 0 1 %s %s" (triple scope random)
-          (positive scope random) (surface scope 1 random)
+    (match up_to random 7 with
+    | 0 -> flat scope random ^ " " ^ surface scope 1 random
     | 1 ->
         sprintf "spherical %s %s %s" (positive scope random)
           (color scope random) (triple scope random)
     | 2 ->
         sprintf "directional 0.8 %s 1 %s -1" (color scope random)
           (positive scope random)
+    | 3 | 4 -> solid_leaf scope random
     | _ ->
         sprintf "sphere %s %s %s" (triple scope random) (positive scope random)
           (surface scope 2 random))
 
-let reference scope random =
-  let named =
-    Stdlib.List.filter
-      (fun (_, k) -> match k with Object | Object_of _ -> true | _ -> false)
-      scope
-  in
-  match named with
-  | [] -> leaf scope random
+(* One of the names that [is_it], or else what [other] makes. *)
+let reference_to is_it other scope random =
+  match Stdlib.List.filter (fun (_, kind) -> is_it kind) scope with
+  | [] -> other scope random
   | named -> (
       match choose random (Array.of_list named) with
-      | name, Object_of n ->
+      | name, (Object_of n | Solid_of n) ->
           let argument () = sprintf "%d" (up_to random 2) in
           modified scope random (sprintf "%s(%s)" name (commas argument n))
       | name, _ -> modified scope random name)
 
+let is_solid = function Solid | Solid_of _ -> true | _ -> false
+let is_object = function Object | Object_of _ -> true | kind -> is_solid kind
+let reference scope random = reference_to is_object leaf scope random
+
+(* {1 Solids} *)
+
+let rec solid scope depth random =
+  match up_to random (if depth = 0 then 2 else 6) with
+  | 0 | 1 -> modified scope random (solid_leaf scope random)
+  | 2 -> reference_to is_solid solid_leaf scope random
+  | _ -> modified scope random (grouping scope depth random)
+
+and grouping scope depth random =
+  let word =
+    choose random [| "union"; "intersection"; "difference"; "difference" |]
+  in
+  sprintf "%s\n%s%send" word
+    (solid scope (depth - 1) random ^ "\n")
+    (solids scope (depth - 1) random)
+
+(* Those after the first one. *)
+and solids scope depth random =
+  let one _ =
+    let several scope = solids scope (Int.max 0 (depth - 1)) random in
+    String.cat
+      (match up_to random (if depth = 0 then 1 else 5) with
+      | 0 | 1 -> solid scope depth random
+      | 2 -> sprintf "group\n%send" (several scope)
+      | 3 ->
+          let name = fresh random scope in
+          sprintf "for %s = 0 to %d\n%send" name (up_to random 2)
+            (several ((name, Number) :: scope))
+      | 4 -> sprintf "if (%s)\n%send" (truth_in scope 1 random) (several scope)
+      | _ ->
+          let name = fresh random scope in
+          sprintf "let %s = (%s)\n%s" name (number_in scope 2 random)
+            (solid ((name, Number) :: scope) depth random))
+      "\n"
+  in
+  String.concat "" (Stdlib.List.init (up_to random 2) one)
+
+let shadowless random text =
+  if up_to random 3 = 0 then text ^ " shadowless" else text
+
 let rec item scope depth random =
   let block scope = block scope (depth - 1) random in
-  match up_to random (if depth = 0 then 2 else 7) with
+  match up_to random (if depth = 0 then 2 else 9) with
   | 0 | 1 -> leaf scope random
+  | 8 | 9 ->
+      shadowless random (modified scope random (grouping scope depth random))
   | 2 -> reference scope random
   | 3 -> modified scope random (sprintf "group\n%send" (block scope))
   | 4 ->
@@ -254,7 +319,14 @@ and definition scope depth random =
   let plain kind text =
     (sprintf "let %s = %s" name text, (name, kind) :: scope)
   in
-  match up_to random 7 with
+  match up_to random 9 with
+  | 8 -> plain Solid (grouping scope 2 random)
+  | 9 ->
+      let inner = ("u", Number) :: scope in
+      ( sprintf
+          "let %s(u) = difference\n%s\nif (u > 0)\n%s(u - 1) %s\nend\nend" name
+          (solid inner 1 random) name (modifier inner random),
+        (name, Solid_of 1) :: scope )
   | 0 | 1 -> plain Number (sprintf "(%s)" (number_in scope 3 random))
   | 2 ->
       plain Vector

@@ -21,6 +21,11 @@ sphere 0 1 (far) 1 reflective|};
       {|let r = (1 / 0)
          ^^^^^ 1 / 0 is not a finite number: it is 1 / 0
 sphere 0 0 6 (r) reflective sphere 0 0 6 (2 * r) reflective|};
+    check "nothing follows from a broken part of a solid"
+      {|difference sphere 0 0 (1 / 0) 1 reflective end
+                       ^^^^^ 1 / 0 is not a finite number: it is 1 / 0
+intersection for i = 1 to 1 sphere 0 0 (far) 1 reflective end end
+                                        ^^^ unknown name 'far'|};
     check "own definition"
       {|let red = diffusive red
                     ^^^ 'red' stands in its own definition|};
