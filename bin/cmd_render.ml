@@ -26,51 +26,14 @@ type options = {
 
 (* {1 Where the picture goes} *)
 
-type target = Standard_output | File of string
-
 let path { scene; out; format; _ } =
   match (out, Scene_path.picture ?format scene) with
   | Some path, _ | None, Ok path -> path
   | None, Error message -> Command.usage_error "%s" message
 
-let target path =
-  if Target.is_standard_output path then Standard_output else File path
-
 let format options path =
   Output.format ?wanted:options.format path ~inputs:[ options.scene ]
     ~named:"the scene"
-
-let or_write_error = function
-  | Ok value -> value
-  | Error message -> Command.write_error message
-
-(* What is known to fail must not fail after hours of rendering. *)
-let check_target format target ~width ~height =
-  or_write_error
-    (match target with
-    | Standard_output -> Atomic_file.check_output ()
-    | File path -> Picture_file.check format ~path ~width ~height)
-
-let write_to_output format band picture =
-  match band with
-  | None -> Picture_file.output format stdout picture
-  | Some band -> Band_writer.output format stdout band picture
-
-let write_to_file format path band picture =
-  match band with
-  | None -> Picture_file.save format ~path picture
-  | Some band -> Band_writer.save format ~path band picture
-
-let write options format target band picture =
-  let written write =
-    or_write_error (Signals.for_readers (fun () -> write band picture))
-  in
-  match target with
-  | Standard_output -> written (write_to_output format)
-  | File path ->
-      let outcome = written (write_to_file format path) in
-      if not options.quiet then
-        Command.say "%s" (Atomic_file.wrote ~path outcome)
 
 (* {1 Rendering} *)
 
@@ -88,8 +51,7 @@ let check_picture format options target { Camera.width; height; _ } =
     | Some { first; last } -> last - first + 1
     | None -> height
   in
-  or_write_error (Picture_file.check_size format ~width ~height);
-  check_target format target ~width ~height
+  Destination.check format target ~width ~height
 
 let band options reading { Scene.camera = { width; height; _ }; film; _ } =
   let of_rows { Render.first; last } =
@@ -103,27 +65,10 @@ let band options reading { Scene.camera = { width; height; _ }; film; _ } =
   in
   Option.map of_rows options.rows
 
-let print_stats (tally : Tally.t) ~pixels ~seconds =
-  let rays = Tally.rays tally in
-  let per_pixel n = float_of_int n /. float_of_int pixels in
-  let count name n = Command.line "%-15s %12d" name n in
-  count "primary rays" tally.primary;
-  count "reflected rays" tally.reflected;
-  count "shadow rays" tally.shadow;
-  count "rays" rays;
-  count "hits" tally.hits;
-  count "lights blocked" tally.blocked;
-  count "pixels" pixels;
-  Command.line "%-15s %12.3f" "samples a pixel" (per_pixel tally.samples);
-  Command.line "%-15s %12.2f %%" "over-exposed"
-    (100. *. per_pixel tally.over_exposed);
-  Command.line "%-15s %12.3f s" "time" seconds;
-  Command.line "%-15s %12.0f" "rays per second" (float_of_int rays /. seconds)
-
 let show options target scene picture ~seconds =
   let quietly = options.quiet && options.show <> Asked_for in
   let wanted =
-    match (options.show, target) with
+    match (options.show, (target : Destination.t)) with
     | Never, _ | If_there_is_a_display, Standard_output -> false
     | If_there_is_a_display, File _ | Asked_for, _ -> true
   in
@@ -164,7 +109,7 @@ let read options path =
 
 let render options () =
   let path = path options in
-  let target = target path in
+  let target = Destination.of_path path in
   let format = format options path in
   let reading, written = read options path in
   let scene = Options.adjust options.view written in
@@ -188,11 +133,8 @@ let render options () =
   in
   let seconds = Unix.gettimeofday () -. started in
   Progress.clear progress;
-  write options format target band picture;
-  if options.stats then
-    print_stats tally
-      ~pixels:(Picture.width picture * Picture.height picture)
-      ~seconds;
+  Destination.write ~quiet:options.quiet format target band picture;
+  if options.stats then Statistics.print tally picture ~seconds;
   show options target ready picture ~seconds
 
 (* {1 The command line} *)

@@ -17,9 +17,9 @@ let need frame size =
     frame.slots <- Array.append frame.slots more
 
 (* Names are bound in the innermost function only. *)
-let set (binding : Scope.binding) frame value =
-  if binding.slot >= Array.length frame.slots then need frame (binding.slot + 1);
-  frame.slots.(binding.slot) <- value
+let set ({ slot; _ } : Scope.binding) frame value =
+  if slot >= Array.length frame.slots then need frame (slot + 1);
+  frame.slots.(slot) <- value
 
 let rec up frame levels =
   if levels = 0 then frame else up frame.outer (levels - 1)

@@ -60,7 +60,8 @@ let rule whole before after =
   | ("scene" | "scene'"), _, _ ->
       expected "keyword"
         ("a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
-          depth, eye, lookAt, up, fov, bcolor, raydepth), or lights, objects, or\n\
+          depth, eye, lookAt, up, fov, bcolor, raydepth), or lights, \
+          objects, or\n\
           a shape: "
         ^ shapes)
   | "body", [ "LIGHTS"; _ ], _ | "simple_thing", [ "light" ], _ ->
@@ -96,7 +97,8 @@ let rule whole before after =
       expected "item" (item_or_end "if")
   | "separated_nonempty_list_COMMA_argument_", [ _ ], _ ->
       expected "operator" "an operator, a comma, or ) to end the arguments"
-  | _, _, "items" :: _ | ("items" | "things"), _, _ -> expected "shape" next_item
+  | _, _, "items" :: _ | ("items" | "things"), _, _ ->
+      expected "shape" next_item
   | _, _, ("modifiers" | "some_modifiers") :: _
   | ("modifiers" | "some_modifiers"), _, _ ->
       expected "shape"
@@ -111,11 +113,18 @@ let rule whole before after =
   | "definition", _, "EQUAL" :: _ ->
       expected "'='" "= and a value after the name in a definition"
   | "definition", _, "value" :: _ -> expected "value" value
-  | "definition", _, _ | ("parameter" | "separated_nonempty_list_COMMA_parameter_"), _, ([] | "separated_nonempty_list_COMMA_parameter_" :: _ | "loption_separated_nonempty_list_COMMA_parameter__" :: _) ->
+  | "definition", _, _
+  | ( ("parameter" | "separated_nonempty_list_COMMA_parameter_"),
+      _,
+      ( []
+      | ( "separated_nonempty_list_COMMA_parameter_"
+        | "loption_separated_nonempty_list_COMMA_parameter__" )
+        :: _ ) ) ->
       expected "parameter"
         "names of parameters, with commas between them: let f(a, b: 1) = ..."
   | "parameter", [ _ ], _ ->
-      expected "',' or ')'" "a comma, a colon and a default, or ) after a parameter"
+      expected "',' or ')'"
+        "a comma, a colon and a default, or ) after a parameter"
   | "range", [ "IN" ], _ -> expected "list" "a list after in: [ ... ] or a name"
   | "range", [ "EQUAL" ], _ ->
       expected "number" "the first value of the loop after ="
@@ -123,7 +132,8 @@ let rule whole before after =
       expected "'to'" "to and the last value of the loop"
   | "range", _, "BY" :: _ ->
       expected "item" "the first item of the loop, or by and a step"
-  | "range", _, _ -> expected "number" "a number of the loop: = FIRST to LAST by STEP"
+  | "range", _, _ ->
+      expected "number" "a number of the loop: = FIRST to LAST by STEP"
   | "bracketed", [ "LBRACKET" ], _ ->
       expected "value" "the parts of a vector, the elements of a list, or for"
   | "bracketed", [ "LBRACKET"; "FOR" ], _ ->
@@ -150,7 +160,8 @@ let rule whole before after =
   | _, _, "loption_separated_nonempty_list_COMMA_argument__" :: _
   | _, _, "separated_nonempty_list_COMMA_argument_" :: _ ->
       expected "value" expression
-  | _, _, "RPAREN" :: _ -> expected "operator" "an operator, or ) to close the bracket"
+  | _, _, "RPAREN" :: _ ->
+      expected "operator" "an operator, or ) to close the bracket"
   | "separated_nonempty_list_COMMA_expr_", _, _ ->
       expected "operator" "an operator, a comma, or ] to close the list"
   | ("expr" | "expr_range" | "argument" | "reference"), _, _ ->

@@ -82,7 +82,8 @@ let settings : t list =
     row "exposure" EXPOSURE "EXPOSURE"
       [ ("number", "the factor of all brightness after exposure, such as 1.5") ]
       "how much brighter all is shown";
-    row "srgb" SRGB "SRGB" [] "shows colours by the sRGB curve, as screens expect";
+    row "srgb" SRGB "SRGB" []
+      "shows colours by the sRGB curve, as screens expect";
     row "aperture" APERTURE "APERTURE"
       [ ("number", "the radius of the lens after aperture, such as 0.1") ]
       "the radius of the lens";
@@ -260,7 +261,9 @@ let others : t list =
   ]
 
 let operators : t list =
-  let row (word, token) = row Operator word token (String.uppercase_ascii word) [] "" in
+  let row (word, token) =
+    row Operator word token (String.uppercase_ascii word) [] ""
+  in
   List.map row
     [ ("then", Parser.THEN); ("and", AND); ("or", OR); ("not", NOT);
       ("true", TRUE); ("false", FALSE) ]

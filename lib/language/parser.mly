@@ -100,8 +100,10 @@ header:
 setting:
   | "imWidth" n = atom { setting "imWidth" $loc($1) (Settings.im_width n) }
   | "imHeight" n = atom { setting "imHeight" $loc($1) (Settings.im_height n) }
-  | "canvWidth" n = atom { setting "canvWidth" $loc($1) (Settings.canv_width n) }
-  | "canvHeight" n = atom { setting "canvHeight" $loc($1) (Settings.canv_height n) }
+  | "canvWidth" n = atom
+      { setting "canvWidth" $loc($1) (Settings.canv_width n) }
+  | "canvHeight" n = atom
+      { setting "canvHeight" $loc($1) (Settings.canv_height n) }
   | "depth" n = atom { setting "depth" $loc($1) (Settings.depth n) }
   | "eye" p = vector { setting "eye" $loc($1) (Settings.eye p) }
   | "lookAt" p = vector { setting "lookAt" $loc($1) (Settings.look_at p) }

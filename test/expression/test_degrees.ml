@@ -33,8 +33,8 @@ let test_roots () =
   check "cos 30" (0.5 *. sqrt 3.) (Degrees.cos 30.);
   check "tan 60" (sqrt 3.) (Degrees.tan 60.)
 
-(* 1e22 = 2^22 5^22 is 0 modulo 8, and modulo 45, since 10 = 10 * 10 (mod 45), 10:
-   so it is 280 modulo 360. 2^1023 is 0 modulo 8 and, since 2^12 = 1 (mod 45),
+(* 1e22 = 2^22 5^22 is 0 modulo 8, and modulo 45, since 10 = 10 * 10 (mod 45),
+   10: so it is 280 modulo 360. 2^1023 is 0 modulo 8 and, since 2^12 = 1 (mod 45),
    2^3 modulo 45: 8. *)
 let test_large () =
   check "1e22" (Degrees.sin 280.) (Degrees.sin 1e22);

@@ -3,8 +3,8 @@ open Test_support
 
 let check = Alcotest.check Same.number
 
-(* Hits of a million numbers in a thousand equal parts of [0, 1): chi squared has
-   the mean 999 and the standard deviation 45 if they are random. *)
+(* Hits of a million numbers in a thousand equal parts of [0, 1): chi squared
+   has the mean 999 and the standard deviation 45 if they are random. *)
 let test_even (name, number) =
   let test () =
     let hits = Array.make 1000 0 in

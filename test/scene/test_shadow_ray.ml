@@ -16,7 +16,8 @@ let test_directional () =
     (ray (v 5. 0.1 0.) (v (-3.) 4. 0.))
     (Option.get (Light.shadow_ray sun ~point:(v 5. 0. 0.) ~normal ~offset:0.1))
 
-(* Whether what a shadow ray meets at distance [t] is in the way of the light. *)
+(* Whether what a shadow ray meets at distance [t] is in the way of the
+   light. *)
 let blocks shadow_ray t =
   let meeting = Meeting.create () in
   Meeting.offer meeting (Ray.to_raw shadow_ray) ~number:0 ~part:0 t;

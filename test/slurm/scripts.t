@@ -45,8 +45,9 @@ What "raylab slurm" writes. ./cluster.t runs it on a real Slurm.
   if [ -n "$missing" ]; then
     limit=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
     if [ -n "$limit" ] && [ "$last" -ge "$limit" ]; then
-      echo "This cluster takes at most $((limit - 1)) bands (its MaxArraySize is" \
-        "$limit), not $bands. Remove $PWD and make the job with fewer." >&2
+      echo "This cluster takes at most $((limit - 1)) bands (its" \
+        "MaxArraySize is $limit), not $bands. Remove $PWD and" \
+        "make the job with fewer." >&2
       exit 1
     fi
     job=$(sbatch --parsable --array="$missing" bands.sbatch) || exit

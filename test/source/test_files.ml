@@ -12,7 +12,7 @@ let check what expected files offset =
   Alcotest.check place what expected
     (Option.map told (Files.place files offset))
 
-(* Offsets: 0 to 4 are of the first, 5 of the second, and 6 to 8 of the third. *)
+(* Offsets: 0 to 4 are of the first, 5 of the second, 6 to 8 of the third. *)
 let three = files [ ("a", "a\nb\n"); ("b", ""); ("c", "\nc") ]
 
 let test_place () =
