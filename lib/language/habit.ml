@@ -5,14 +5,24 @@ let brackets = "What is computed stands in brackets, such as "
 
 (* {1 Words outside of brackets} *)
 
-let is_operator c = String.contains "+-*/^<>" c
+let is_operator c = String.contains "+-*/^<>=" c
+let is_letter c = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c = '_'
+let is_part c = is_letter c || ('0' <= c && c <= '9')
 
-(* [2*3], [-far], [+], [<=], but no [1e-3] and no [light-source]. *)
+(* Whether an operator joins two parts of [word], from [k] on. *)
+let rec joins word k =
+  k < String.length word - 1
+  && (is_operator word.[k]
+      && word.[k] <> '-'
+      && is_part word.[k - 1]
+      && is_part word.[k + 1]
+     || joins word (k + 1))
+
+(* [+], [<=], [-far] and [2*3], but no [light-source]. *)
 let is_computed word =
-  let is_part c = not (is_operator c || c = '=') in
-  String.for_all (fun c -> not (is_part c)) word
-  || is_operator word.[0]
-  || String.exists (fun c -> is_operator c && c <> '-') word
+  String.for_all is_operator word
+  || (word.[0] = '-' && String.length word > 1 && is_letter word.[1])
+  || joins word 1
 
 let without_sign word =
   if String.length word > 1 && (word.[0] = '-' || word.[0] = '+') then
@@ -45,6 +55,8 @@ let of_word word =
   | "rgb" -> Some "A colour is three numbers, such as 1 0.5 0."
   | _ when starts_with [ "//"; "/*" ] word ->
       Some "A comment starts with #, and ends with the line."
+  | _ when starts_with [ "<" ] word && String.exists is_part word ->
+      Some "A point or a colour is three numbers, with nothing around."
   | _ when starts_with [ "{"; "}" ] word ->
       Some "A block has no braces, and ends with the word end."
   | _ when String.ends_with ~suffix:";" word ->
@@ -66,6 +78,7 @@ let of_operator = function
 let advice ~acceptable ~expected ~text (token : Parser.token) =
   let inside = expected = "operator" in
   match token with
+  | WORD _ when expected = "file name" -> None
   | WORD word when inside -> of_operator word
   | WORD word -> of_word word
   | COMMA when inside ->

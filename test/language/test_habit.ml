@@ -94,6 +94,12 @@ let signs =
     ends "repeat 5 end" "Did you mean 'for'?";
     check "let a = 1;"
       "unknown value '1;' | No semicolon stands between the parts of a scene.";
+    check "sphere <0, 0, 6> 1 reflective"
+      "'<0,' is not a number | A point or a colour is three numbers, with \
+       nothing around.";
+    check "include wood/oak.scene"
+      "unknown file name 'wood/oak.scene' | expected the name of a file in \
+       quotes after include, such as \"wood.scene\".";
     check "group { sphere 0 0 6 1 reflective }"
       "unknown item '{' | A block has no braces, and ends with the word end.";
     check "sphere 0 0 6 1 reflective // a ball"
