@@ -3,12 +3,15 @@
 
     The shapes that have a {!Shape.box} are the leaves of a binary tree; each
     inner node knows a box around each of its two subtrees, and a ray that
-    misses a box misses all that is in it. Shapes without end are tested apart,
-    for every ray. *)
+    misses a box misses all that is in it. Shapes without a box are not in it:
+    see {!Endless}. *)
 
-val index : ?domains:int -> Shape.t array -> Finder.index
-(** [index shapes] is an index over [shapes]. Its answers are those of
-    {!Finder.brute_force}, bit for bit.
+type t
+(** The type for hierarchies. *)
+
+val make : ?domains:int -> Shape.t array -> t
+(** [make shapes] is that over [shapes]. What is found in it is what trying one
+    shape after the other finds, bit for bit.
 
     (Bit for bit, as long as a ray starts within a million times as far from
     the origin as the shapes lie; beyond that rounding errors may let a ray
@@ -17,3 +20,27 @@ val index : ?domains:int -> Shape.t array -> Finder.index
 
     It is built in O(n log n), on at most [domains] domains, by default 1. It
     takes about 80 bytes for each shape. *)
+
+(** {1 Questions} *)
+
+type walk
+(** Where a search is; each domain needs one of its own. *)
+
+val make_walk : unit -> walk
+(** [make_walk ()] is a new one. *)
+
+val nearest : t -> walk -> Raw_ray.t -> Meeting.t -> unit
+(** [nearest bvh walk ray meeting] lets the shapes that [ray] can hit nearer
+    than what it is known to hit offer where they are met. *)
+
+val some : t -> walk -> Raw_ray.t -> Meeting.t -> unit
+(** [some bvh walk ray meeting] is the same until one is met. *)
+
+(** {1 In the order of its leaves} *)
+
+val numbers : t -> int array
+(** [numbers bvh] is the numbers of its shapes. *)
+
+val spheres : t -> float array
+(** [spheres bvh] is the x, y, z and radius of each of them that is a sphere,
+    and of no meaning for others; nothing if none is one. *)

@@ -17,11 +17,3 @@ type t = {
 }
 (** The type for ways to ask. One of these may keep notes for itself, on which
     no answer depends; so each domain needs one of its own. *)
-
-type index = unit -> t
-(** The type for sets of shapes that can be asked: [index ()] is a new way to
-    ask. *)
-
-val brute_force : Shape.t array -> index
-(** [brute_force shapes] tests every shape for every ray: slow, and so plain
-    that every other index is measured by it. *)

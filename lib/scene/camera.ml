@@ -149,6 +149,11 @@ let primary_rays camera =
     (fun y -> Seq.init camera.width (fun x -> primary_ray camera ~x ~y))
     (Seq.init camera.height Fun.id)
 
+let fan { canvas_width; canvas_height; depth; viewpoint; _ } =
+  let { Viewpoint.eye; right; above; forward; _ } = viewpoint in
+  let width = canvas_width /. depth and height = canvas_height /. depth in
+  Fan.Eye { eye; right; above; forward; width; height }
+
 (* {1 From space to the picture} *)
 
 (* Homogeneous coordinates on the canvas: the place (x / w, y / w). Points on a

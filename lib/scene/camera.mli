@@ -110,6 +110,9 @@ val aim_at_centre : t -> centres -> x:int -> y:int -> Raw_ray.t -> unit
     {!primary_ray}, bit for bit, and quicker where [centres] knows the place.
 *)
 
+val fan : t -> Fan.source
+(** [fan camera] is what its primary rays have in common. *)
+
 (** {1 From space to the picture}
 
     Places in the picture are in pixels from the left and from the top; the

@@ -114,6 +114,11 @@ let shadow_ray light ~point ~normal ~offset =
   Spot.start spot ray;
   if aim light spot ray then Some (Ray.of_raw ray) else None
 
+let fan light =
+  match light.source with
+  | Directional along -> Some (Fan.Along along)
+  | Spherical position -> Some (Fan.Point position)
+
 (* {1 Forms} *)
 
 let name light =

@@ -90,6 +90,10 @@ val aim : t -> Spot.t -> Raw_ray.t -> bool
     {!Raylab_geometry.Spot.start} of [spot], the shadow ray to [light] and is
     true; false if there is none. *)
 
+val fan : t -> Fan.source option
+(** [fan light] is what all shadow rays to [light] have in common, if that is
+    something. *)
+
 (** {1 Forms} *)
 
 val name : t -> string

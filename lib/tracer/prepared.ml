@@ -8,9 +8,9 @@ type t = {
   objects : Object.t array;
   shapes : Shape.t array;
   surfaces : Surfaces.t;
-  index : Finder.index;
+  index : Index.t;
   casters : int array option;
-  shadow_index : Finder.index;
+  shadow_index : Index.t;
   offset : float;
 }
 
@@ -25,7 +25,7 @@ let casters_of objects =
     |> Option.some
   else None
 
-let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
+let make ?(domains = 1) ?(index = Index.hierarchy ~domains) (scene : Scene.t) =
   let objects = Array.of_list scene.objects in
   let offset = Offset.of_scale (Camera.scale scene.camera) in
   let shape (o : Object.t) = Shape.with_tolerance offset o.shape in
@@ -46,6 +46,31 @@ let make ?(domains = 1) ?(index = Bvh.index ~domains) (scene : Scene.t) =
       | Some numbers -> index (Array.map (fun k -> shapes.(k)) numbers));
     offset;
   }
+
+(* {1 Fans} *)
+
+let eye_source { Scene.camera; lens; film; _ } =
+  if film.samples > 1 && Lens.is_open lens then None
+  else Some (Camera.fan camera)
+
+(* A fan of one shape takes as long as two or three rays; a primary ray brings
+   about as many shadow rays as there are lights. *)
+let pays t ~rays = 2 * Array.length t.objects <= rays
+
+let with_fans ?domains ~rays t =
+  let eye = eye_source t.scene and lights = Array.map Light.fan t.lights in
+  if not (pays t ~rays) then t
+  else
+    match t.casters with
+    | None ->
+        let index = Index.with_fans ?domains ?eye ~lights t.index in
+        { t with index; shadow_index = index }
+    | Some _ ->
+        {
+          t with
+          index = Index.with_fans ?domains ?eye ~lights:[||] t.index;
+          shadow_index = Index.with_fans ?domains ~lights t.shadow_index;
+        }
 
 let with_camera camera t =
   let scene = Scene.with_camera camera t.scene in

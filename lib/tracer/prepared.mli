@@ -12,23 +12,28 @@ type t = private {
   shapes : Shape.t array;
       (** of the objects; faces of solids coincide within the usual offset *)
   surfaces : Surfaces.t;
-  index : Finder.index;
+  index : Index.t;
   casters : int array option;
       (** the numbers of the objects that shadow rays meet; [None] for all *)
-  shadow_index : Finder.index;  (** over these; see {!caster} *)
+  shadow_index : Index.t;  (** over these; see {!caster} *)
   offset : float;  (** the usual one; see {!Raylab_geometry.Offset} *)
 }
 (** The type for prepared scenes. *)
 
-val make :
-  ?domains:int -> ?index:(Shape.t array -> Finder.index) -> Scene.t -> t
+val make : ?domains:int -> ?index:(Shape.t array -> Index.t) -> Scene.t -> t
 (** [make scene] is [scene] made ready. [index] is the way of finding hits, by
-    default {!Raylab_geometry.Bvh.index} on at most [domains] domains, by
+    default {!Raylab_geometry.Index.hierarchy} on at most [domains] domains, by
     default 1; it makes no difference to any colour. *)
 
 val with_camera : Camera.t -> t -> t
 (** [with_camera camera t] is [t] seen by [camera], at once: it is what {!make}
     makes of {!Raylab_scene.Scene.with_camera}. *)
+
+val with_fans : ?domains:int -> rays:int -> t -> t
+(** [with_fans ~rays t] is [t] made ready for so many primary rays: with
+    {!Raylab_geometry.Fan}s of its eye and its lights, made on at most
+    [domains] domains, by default 1, if that takes less time than it saves. All
+    colours stay. *)
 
 val numbered_object : t -> int -> Object.t
 (** [numbered_object t k] is the object of number [k], counted from 1, at once

@@ -19,7 +19,7 @@ type t = {
 }
 
 let create ?observe (prepared : Prepared.t) =
-  let finder = prepared.index () in
+  let finder = Index.ask prepared.index in
   {
     prepared;
     surfaces = prepared.surfaces;
@@ -28,7 +28,7 @@ let create ?observe (prepared : Prepared.t) =
     shadow_finder =
       (match prepared.casters with
       | None -> finder
-      | Some _ -> prepared.shadow_index ());
+      | Some _ -> Index.ask prepared.shadow_index);
     tally = Tally.create ();
     ray = Raw_ray.create ();
     shadow_ray = Raw_ray.create ();

@@ -50,11 +50,17 @@ let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
     work
   |> List.map Sampler.tally |> Tally.sum
 
+(* Made ready for the rays of a whole picture. *)
+let with_fans ~domains picture scene =
+  let rays = Picture.width picture * Picture.height picture in
+  Prepared.with_fans ~domains ~rays scene
+
 let has_samples scene = scene.Prepared.scene.film.samples > 1
 
 let picture ?(domains = Parallel.default_domains ()) ?rows
     ?(on_progress = ignore) scene =
   let picture = blank ?rows scene in
+  let scene = with_fans ~domains picture scene in
   let pass = if has_samples scene then Pass.smooth else Pass.whole in
   let count =
     Pass.count pass ~width:(Picture.width picture)
@@ -81,13 +87,21 @@ let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile
   let size = size ?rows scene in
   if size <> (Picture.width picture, Picture.height picture) then
     invalid_arg "a picture of another size";
-  let fill passes =
-    let passes = Array.of_list passes in
-    fill ~domains ?rows ?stop picture scene ~on_tile ~passes
+  let fill scene passes =
+    fill ~domains ?rows ?stop picture scene ~on_tile
+      ~passes:(Array.of_list passes)
+  and is_stopped () =
+    Option.fold stop ~none:false ~some:(fun stop -> stop ())
   in
   (* a centre must not come after all samples of its pixel *)
   let smooth, coarse =
     List.partition Pass.is_smooth (Array.to_list (passes picture scene))
   in
-  let first = fill coarse in
-  Tally.sum [ first; fill smooth ]
+  (* the coarsest at once *)
+  let coarsest, finer = (List.hd coarse, List.tl coarse) in
+  let first = fill scene [ coarsest ] in
+  let scene =
+    if is_stopped () then scene else with_fans ~domains picture scene
+  in
+  let second = fill scene finer in
+  Tally.sum [ first; second; fill scene smooth ]

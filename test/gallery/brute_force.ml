@@ -22,8 +22,8 @@ let is_same path =
   | Ok scene ->
       let same =
         Picture.equal
-          (picture (Bvh.index ~domains:1) scene)
-          (picture Finder.brute_force scene)
+          (picture (Index.hierarchy ~domains:1) scene)
+          (picture Index.brute_force scene)
       in
       if not same then
         Printf.eprintf "%s: the hierarchy gives another picture\n" path;

@@ -4,7 +4,8 @@ open Raylab_geometry
 open Test_support
 
 let answers index rays =
-  let { Finder.nearest; blocked } = index () and meeting = Meeting.create () in
+  let { Finder.nearest; blocked } = Index.ask index
+  and meeting = Meeting.create () in
   List.map
     (fun ray ->
       let asked = Ray.to_raw ray in
@@ -23,7 +24,8 @@ let shapes_and_rays sizes number =
       (list_size (1 -- 30) (Generate.ray number)))
 
 let agrees (shapes, rays) =
-  answers (Bvh.index shapes) rays = answers (Finder.brute_force shapes) rays
+  answers (Index.hierarchy shapes) rays
+  = answers (Index.brute_force shapes) rays
 
 (* Corners and centres of a grid: many at the same distance, rays along faces
    of boxes. *)
@@ -51,10 +53,10 @@ let some_rays =
     (Generate.ray Generate.everyday)
 
 let check_same name ?domains shapes =
-  let found = answers (Bvh.index ?domains shapes) some_rays in
+  let found = answers (Index.hierarchy ?domains shapes) some_rays in
   Alcotest.(check bool)
     name true
-    (found = answers (Finder.brute_force shapes) some_rays)
+    (found = answers (Index.brute_force shapes) some_rays)
 
 (* What gives a heuristic nothing to hold on to. *)
 let test_degenerate () =

@@ -10,7 +10,7 @@ let up_to z =
   Option.get (Ray.towards ~origin:Vec3.zero ~target:(v 0. 0. z) ~short:0.)
 
 let ask index shapes ray =
-  let { Finder.nearest; blocked } = index (Array.of_list shapes) ()
+  let { Finder.nearest; blocked } = Index.ask (index (Array.of_list shapes))
   and meeting = Meeting.create () in
   (* what was met before makes no difference *)
   meeting.number <- 0;
@@ -18,7 +18,7 @@ let ask index shapes ray =
   (meeting.number, blocked 0 (Ray.to_raw ray))
 
 let check what shapes ray expected =
-  let nearest, blocked = ask Finder.brute_force shapes ray in
+  let nearest, blocked = ask Index.brute_force shapes ray in
   Alcotest.(check int) (what ^ ", nearest") expected nearest;
   Alcotest.(check bool) (what ^ ", blocked") (expected <> Meeting.none) blocked
 
@@ -67,7 +67,7 @@ let by_definition shapes ray =
 
 let agrees (shapes, ray) =
   let expected = by_definition shapes ray in
-  ask Finder.brute_force shapes ray = (expected, expected <> none)
+  ask Index.brute_force shapes ray = (expected, expected <> none)
 
 let everyday =
   Property.holds "nearest is the least of all hits" ~count:2000
@@ -91,7 +91,7 @@ let not_a_number =
       let part k = if k = axis then nan else 1. in
       let origin = v (part 0) (part 1) (part 2) in
       let ray = Ray.make ~origin ~direction in
-      ask Finder.brute_force shapes ray = (none, false))
+      ask Index.brute_force shapes ray = (none, false))
 
 let suite =
   ( "Finder",

@@ -17,7 +17,7 @@ let glass = Surface.glass ~index:1.5 Color.white
 let ball surface = sphere (v 0. 0. 5.) 1. surface
 
 let prepare ?(camera = camera ()) surfaces =
-  Prepared.make ~index:Finder.brute_force
+  Prepared.make ~index:Index.brute_force
     (Scene.make camera ~objects:(List.map ball surfaces))
 
 (* What the surface of each object denotes. *)

@@ -1,0 +1,27 @@
+(** Sets of shapes that can be asked what a ray hits. *)
+
+type t
+(** The type for sets of shapes, and how they are searched; no answer depends
+    on that. *)
+
+val brute_force : Shape.t array -> t
+(** [brute_force shapes] tests every shape for every ray: slow, and so plain
+    that all others are measured by it. *)
+
+val hierarchy : ?domains:int -> Shape.t array -> t
+(** [hierarchy shapes] is searched by a {!Bvh}, which is built on at most
+    [domains] domains, by default 1. *)
+
+val with_fans :
+  ?domains:int -> ?eye:Fan.source -> lights:Fan.source option array -> t -> t
+(** [with_fans ~eye ~lights index] is [index] with fans: for rays from the eye,
+    and for those of the series k, counted from 1, that go to the light at the
+    place k - 1 of [lights], where that has a source. It is made for many rays:
+    making it takes longer than some ten thousand of them. Where fans would
+    take too much memory, or an [int] has too few bits, there are none, and an
+    index of {!brute_force} has none.
+
+    Fans are made on at most [domains] domains, by default 1. *)
+
+val ask : t -> Finder.t
+(** [ask index] is a new way to ask. *)
