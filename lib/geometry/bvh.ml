@@ -168,5 +168,43 @@ let make ?(domains = 1) shapes =
     shapes;
   }
 
+(* {1 What it costs} *)
+
+(* Testing a sphere, where a step of the way through the tree is 1. *)
+let test = 0.2
+
+(* Half the surface. *)
+let area low high =
+  let extent k = high k -. low k in
+  (extent 0 *. extent 1) +. (extent 1 *. extent 2) +. (extent 2 *. extent 0)
+
+(* A line that crosses a box crosses a smaller one in it as often as the areas
+   of their surfaces are to each other. *)
+let cost { tree = { boxes; links; root; _ }; _ } =
+  let rec sum code area_of_it =
+    if code >= 0 then
+      let child k =
+        let at = (12 * code) + (6 * k) in
+        sum
+          links.{(3 * code) + k}
+          (area
+             (fun k -> boxes.{at + (2 * k)})
+             (fun k -> boxes.{at + (2 * k) + 1}))
+      in
+      area_of_it +. child 0 +. child 1
+    else
+      let shapes = Bvh_tree.(leaf_last code - leaf_first code + 1) in
+      test *. float_of_int shapes *. area_of_it
+  in
+  if root < 0 then 0.
+  else
+    let at = 12 * root in
+    let whole =
+      area
+        (fun k -> Float.min boxes.{at + (2 * k)} boxes.{at + 6 + (2 * k)})
+        (fun k -> Float.max boxes.{at + (2 * k) + 1} boxes.{at + 7 + (2 * k)})
+    in
+    sum root whole /. whole
+
 let numbers bvh = bvh.numbers
 let spheres bvh = bvh.spheres

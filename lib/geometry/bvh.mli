@@ -36,6 +36,10 @@ val nearest : t -> walk -> Raw_ray.t -> Meeting.t -> unit
 val some : t -> walk -> Raw_ray.t -> Meeting.t -> unit
 (** [some bvh walk ray meeting] is the same until one is met. *)
 
+val cost : t -> float
+(** [cost bvh] is about how many inner nodes a ray that crosses all of it
+    visits if it hits nothing, and the tests of shapes, in the same unit. *)
+
 (** {1 In the order of its leaves} *)
 
 val numbers : t -> int array

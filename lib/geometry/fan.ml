@@ -107,7 +107,7 @@ let make leaves ~most source =
   in
   if
     enough_bits && extent < largest && is_narrow
-    && Fan_leaves.count leaves <= Fan_reference.most_places
+    && Leaves.count leaves <= Fan_reference.most_places
   then
     let of_faces faces =
       {

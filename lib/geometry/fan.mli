@@ -23,7 +23,7 @@ type source =
 type t
 (** The type for fans. *)
 
-val make : Fan_leaves.t -> most:int -> source -> t option
+val make : Leaves.t -> most:int -> source -> t option
 (** [make leaves ~most source] is the fan of [leaves] from [source]; [None] if
     it would take more than [most] references, or numbers beyond 1e100. *)
 
@@ -35,7 +35,7 @@ val has_ray_from : t -> Raw_ray.t -> bool
 (** [has_ray_from fan ray] is whether [fan] is of the eye and [ray] one of its
     rays. *)
 
-val nearest : t -> Fan_leaves.t -> Raw_ray.t -> Meeting.t -> unit
+val nearest : t -> Leaves.t -> Raw_ray.t -> Meeting.t -> unit
 (** [nearest fan leaves ray meeting] lets the shapes that [ray], of which
     {!has_ray_from} holds, can meet offer where they are met. *)
 
@@ -43,7 +43,7 @@ val has_ray_to : t -> Raw_ray.t -> bool
 (** [has_ray_to fan ray] is whether [fan] is of a light, and knows what lies on
     the way from the origin of [ray] to it. *)
 
-val some : t -> Fan_leaves.t -> Raw_ray.t -> Meeting.t -> unit
+val some : t -> Leaves.t -> Raw_ray.t -> Meeting.t -> unit
 (** [some fan leaves ray meeting] lets the shapes that [ray], of which
     {!has_ray_to} holds and which goes to the light, can meet offer where they
     are met, until one is. *)

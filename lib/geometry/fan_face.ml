@@ -35,7 +35,7 @@ let rec length { references; parts; _ } =
 
 type making = {
   frame : Fan_view.frame;
-  leaves : Fan_leaves.t;
+  leaves : Leaves.t;
   margin : float;
   view : Fan_view.t;
 }
@@ -245,7 +245,7 @@ let sort (a : ints) first stop =
   if stop - first <= 48 then sort_few a first stop
   else
     let part = Array.init (stop - first) (fun k -> a.{first + k}) in
-    Array.sort Int.compare part;
+    Array.stable_sort Int.compare part;
     Array.iteri (fun k x -> a.{first + k} <- x) part
 
 (* {2 Crowded cells} *)
@@ -321,7 +321,7 @@ and with_parts making ~level ~most face =
   done;
   { face with parts = Array.of_list (List.rev !parts) }
 
-let extent (frame : Fan_view.frame) (leaves : Fan_leaves.t) =
+let extent (frame : Fan_view.frame) (leaves : Leaves.t) =
   Array.fold_left
     (fun most x -> Float.max most (abs_float x))
     leaves.extent frame.origin
@@ -334,7 +334,7 @@ let make frame leaves ~window ~most =
   let margin = margin *. extent frame leaves in
   let making = { frame; leaves; margin; view = Fan_view.create () } in
   make_face making ~window ~level:0 ~most ~coarser:1.
-    (Array.init (Fan_leaves.count leaves) Fun.id)
+    (Array.init (Leaves.count leaves) Fun.id)
 
 (* {1 Questions} *)
 
@@ -376,9 +376,7 @@ let[@inline always] meet ~any face leaves ~u ~v ~pace ~depth (ray : Raw_ray.t)
             else (
               incr k;
               if Fan_reference.may_be_at reference u v then (
-                Fan_leaves.offer leaves
-                  (Fan_reference.place reference)
-                  ray meeting;
+                Leaves.offer leaves (Fan_reference.place reference) ray meeting;
                 if any then (if not (Meeting.is_none meeting) then k := stop)
                 else if ray.reach < !best then (
                   best := ray.reach;

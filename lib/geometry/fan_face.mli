@@ -6,12 +6,12 @@ type t
 (** The type for faces. *)
 
 val make :
-  Fan_view.frame -> Fan_leaves.t -> window:Fan_view.t -> most:int -> t option
+  Fan_view.frame -> Leaves.t -> window:Fan_view.t -> most:int -> t option
 (** [make frame leaves ~window ~most] is the face of what is seen in [window].
     Its size is chosen so that a shape lies in about three cells; if even the
     coarsest takes more than [most] references, there is none. *)
 
-val extent : Fan_view.frame -> Fan_leaves.t -> float
+val extent : Fan_view.frame -> Leaves.t -> float
 (** [extent frame leaves] is the largest of all coordinates, that of the source
     included. *)
 
@@ -23,7 +23,7 @@ val length : t -> int
 val meet :
   any:bool ->
   t ->
-  Fan_leaves.t ->
+  Leaves.t ->
   u:float ->
   v:float ->
   pace:float ->

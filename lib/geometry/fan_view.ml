@@ -222,9 +222,9 @@ let cut view window =
   if view.most_v > window.most_v then view.most_v <- window.most_v;
   view.least_u <= view.most_u && view.least_v <= view.most_v
 
-let see frame (leaves : Fan_leaves.t) place ~margin ~window view =
+let see frame (leaves : Leaves.t) place ~margin ~window view =
   let is_before =
-    if Fan_leaves.is_ball leaves place then
+    if Leaves.is_ball leaves place then
       see_ball frame leaves.balls place ~margin ~window view
     else see_box frame leaves.boxes place ~margin ~window view
   in

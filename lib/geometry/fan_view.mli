@@ -33,7 +33,7 @@ type t = {
 val create : unit -> t
 (** [create ()] is a new register. *)
 
-val see : frame -> Fan_leaves.t -> int -> margin:float -> window:t -> t -> bool
+val see : frame -> Leaves.t -> int -> margin:float -> window:t -> t -> bool
 (** [see frame leaves place ~margin ~window view] puts into [view] what the
     shape at [place] looks like, if that were larger by [margin] and ended at
     the sides of [window]. Its result is whether anything of it is in the

@@ -1,16 +1,18 @@
 open Raylab_parallel
 
-type fans = {
-  leaves : Fan_leaves.t;
+(* What is made for many rays. *)
+type aids = {
+  leaves : Leaves.t;
   eye : Fan.t option;
   lights : Fan.t option array;
+  grid : Grid.t option; (* for all other rays *)
 }
 
 type hierarchy = {
   shapes : Shape.t array;
   endless : Endless.t;
   bvh : Bvh.t;
-  fans : fans option;
+  aids : aids option;
 }
 
 type t = Brute_force of Shape.t array | Hierarchy of hierarchy
@@ -23,13 +25,13 @@ let hierarchy ?(domains = 1) shapes =
       shapes;
       endless = Endless.of_shapes shapes;
       bvh = Bvh.make ~domains shapes;
-      fans = None;
+      aids = None;
     }
 
 (* {1 Fans} *)
 
 (* Shapes lie in about three cells each, and a face has about as many cells. *)
-let most_references leaves = 4096 + (16 * Fan_leaves.count leaves)
+let most_references leaves = 4096 + (16 * Leaves.count leaves)
 
 let make_fans ~domains ~eye ~lights leaves =
   let sources = Array.append [| eye |] lights in
@@ -40,40 +42,49 @@ let make_fans ~domains ~eye ~lights leaves =
   in
   let count = Array.length sources in
   ignore (Parallel.iter ~domains ~worker:ignore ~count make);
-  { leaves; eye = made.(0); lights = Array.sub made 1 (count - 1) }
+  (made.(0), Array.sub made 1 (count - 1))
 
-let with_fans ?(domains = 1) ?eye ~lights = function
+(* A grid, if it is a shorter way than the tree. *)
+let make_grid bvh leaves =
+  match Grid.make leaves with
+  | Some grid when Grid.cost grid < Bvh.cost bvh -> Some grid
+  | _ -> None
+
+let for_many_rays ?(domains = 1) ?eye ~lights = function
   | Brute_force _ as index -> index
   | Hierarchy ({ shapes; bvh; _ } as h) ->
       let leaves =
-        Fan_leaves.make shapes ~numbers:(Bvh.numbers bvh)
-          ~balls:(Bvh.spheres bvh)
+        Leaves.make shapes ~numbers:(Bvh.numbers bvh) ~balls:(Bvh.spheres bvh)
       in
-      let fans = make_fans ~domains ~eye ~lights leaves in
-      Hierarchy { h with fans = Some fans }
+      let eye, lights = make_fans ~domains ~eye ~lights leaves
+      and grid = make_grid bvh leaves in
+      Hierarchy { h with aids = Some { leaves; eye; lights; grid } }
 
 (* {1 Questions} *)
 
-let nearest { endless; bvh; fans; _ } walk ray meeting =
+let nearest { endless; bvh; aids; _ } walk ray meeting =
   Meeting.clear meeting;
   Endless.offer endless ray meeting;
-  match fans with
+  match aids with
   | Some { eye = Some fan; leaves; _ } when Fan.has_ray_from fan ray ->
       Fan.nearest fan leaves ray meeting
+  | Some { grid = Some grid; leaves; _ } when Grid.has_ray_from grid ray ->
+      Grid.nearest grid leaves ray meeting
   | _ -> Bvh.nearest bvh walk ray meeting
 
-let fan_of fans series =
-  if series >= 1 && series <= Array.length fans.lights then
-    fans.lights.(series - 1)
+let fan_of lights series =
+  if series >= 1 && series <= Array.length lights then lights.(series - 1)
   else None
 
-let some_bounded { bvh; fans; _ } walk series ray meeting =
-  match fans with
+let some_bounded { bvh; aids; _ } walk series ray meeting =
+  match aids with
   | None -> Bvh.some bvh walk ray meeting
-  | Some fans -> (
-      match fan_of fans series with
-      | Some fan when Fan.has_ray_to fan ray ->
-          Fan.some fan fans.leaves ray meeting
+  | Some { lights; leaves; grid; _ } -> (
+      match (fan_of lights series, grid) with
+      | Some fan, _ when Fan.has_ray_to fan ray ->
+          Fan.some fan leaves ray meeting
+      | _, Some grid when Grid.has_ray_from grid ray ->
+          Grid.some grid leaves ray meeting
       | _ -> Bvh.some bvh walk ray meeting)
 
 (* How many series of rays have their last blocker remembered. *)

@@ -47,7 +47,7 @@ let make ?(domains = 1) ?(index = Index.hierarchy ~domains) (scene : Scene.t) =
     offset;
   }
 
-(* {1 Fans} *)
+(* {1 Many rays} *)
 
 let eye_source { Scene.camera; lens; film; _ } =
   if film.samples > 1 && Lens.is_open lens then None
@@ -57,19 +57,19 @@ let eye_source { Scene.camera; lens; film; _ } =
    about as many shadow rays as there are lights. *)
 let pays t ~rays = 2 * Array.length t.objects <= rays
 
-let with_fans ?domains ~rays t =
+let for_many_rays ?domains ~rays t =
   let eye = eye_source t.scene and lights = Array.map Light.fan t.lights in
   if not (pays t ~rays) then t
   else
     match t.casters with
     | None ->
-        let index = Index.with_fans ?domains ?eye ~lights t.index in
+        let index = Index.for_many_rays ?domains ?eye ~lights t.index in
         { t with index; shadow_index = index }
     | Some _ ->
         {
           t with
-          index = Index.with_fans ?domains ?eye ~lights:[||] t.index;
-          shadow_index = Index.with_fans ?domains ~lights t.shadow_index;
+          index = Index.for_many_rays ?domains ?eye ~lights:[||] t.index;
+          shadow_index = Index.for_many_rays ?domains ~lights t.shadow_index;
         }
 
 let with_camera camera t =

@@ -29,11 +29,10 @@ val with_camera : Camera.t -> t -> t
 (** [with_camera camera t] is [t] seen by [camera], at once: it is what {!make}
     makes of {!Raylab_scene.Scene.with_camera}. *)
 
-val with_fans : ?domains:int -> rays:int -> t -> t
-(** [with_fans ~rays t] is [t] made ready for so many primary rays: with
-    {!Raylab_geometry.Fan}s of its eye and its lights, made on at most
-    [domains] domains, by default 1, if that takes less time than it saves. All
-    colours stay. *)
+val for_many_rays : ?domains:int -> rays:int -> t -> t
+(** [for_many_rays ~rays t] is [t] made ready for so many primary rays, by
+    {!Raylab_geometry.Index.for_many_rays} on at most [domains] domains, by
+    default 1, if that takes less time than it saves. All colours stay. *)
 
 val numbered_object : t -> int -> Object.t
 (** [numbered_object t k] is the object of number [k], counted from 1, at once

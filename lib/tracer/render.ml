@@ -50,17 +50,17 @@ let fill ~domains ?stop ?on_progress ?rows ~passes ~on_tile picture scene =
     work
   |> List.map Sampler.tally |> Tally.sum
 
-(* Made ready for the rays of a whole picture. *)
-let with_fans ~domains picture scene =
+(* Made ready for all rays of the picture. *)
+let for_many_rays ~domains picture scene =
   let rays = Picture.width picture * Picture.height picture in
-  Prepared.with_fans ~domains ~rays scene
+  Prepared.for_many_rays ~domains ~rays scene
 
 let has_samples scene = scene.Prepared.scene.film.samples > 1
 
 let picture ?(domains = Parallel.default_domains ()) ?rows
     ?(on_progress = ignore) scene =
   let picture = blank ?rows scene in
-  let scene = with_fans ~domains picture scene in
+  let scene = for_many_rays ~domains picture scene in
   let pass = if has_samples scene then Pass.smooth else Pass.whole in
   let count =
     Pass.count pass ~width:(Picture.width picture)
@@ -101,7 +101,7 @@ let refine ?(domains = Parallel.default_domains ()) ?rows ?stop ~on_tile
   let coarsest, finer = (List.hd coarse, List.tl coarse) in
   let first = fill scene [ coarsest ] in
   let scene =
-    if is_stopped () then scene else with_fans ~domains picture scene
+    if is_stopped () then scene else for_many_rays ~domains picture scene
   in
   let second = fill scene finer in
   Tally.sum [ first; second; fill scene smooth ]

@@ -34,7 +34,7 @@ let fans_of ~eye ~look_at ~width ~height ~lamp ~towards =
 
 let index { eye; lights } shapes =
   let lights = Array.of_list (List.map Option.some lights) in
-  Index.with_fans ~eye ~lights (Index.hierarchy shapes)
+  Index.for_many_rays ~eye ~lights (Index.hierarchy shapes)
 
 (* {1 Rays} *)
 
@@ -186,7 +186,7 @@ let test_limits () =
   let shapes = cloud 200 ~size:10. ~radius:(fun () -> 100.) in
   let bvh = Bvh.make shapes in
   let leaves =
-    Fan_leaves.make shapes ~numbers:(Bvh.numbers bvh) ~balls:(Bvh.spheres bvh)
+    Leaves.make shapes ~numbers:(Bvh.numbers bvh) ~balls:(Bvh.spheres bvh)
   in
   let is_made most source = Option.is_some (Fan.make leaves ~most source) in
   let lamp = Fan.Point Vec3.zero and has_bits = Sys.int_size >= 63 in

@@ -25,4 +25,5 @@ let () =
       Test_bvh_leaves.suite;
       Test_bvh.suite;
       Test_fan.suite;
+      Test_grid.suite;
     ]

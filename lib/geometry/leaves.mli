@@ -1,5 +1,5 @@
-(** The shapes that fans are made of, in an order in which neighbours in space
-    are neighbours in memory. *)
+(** The shapes of a scene that have a box, in an order in which neighbours in
+    space are neighbours in memory. *)
 
 type t = private {
   numbers : int array;  (** of the shape at each place *)
