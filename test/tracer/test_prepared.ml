@@ -63,10 +63,25 @@ let test_offset () =
   Alcotest.check Same.number "1e-5 of the smallest" 4e-5
     (prepare ~camera []).offset
 
+(* Fans, grid and hierarchy find what trying every shape finds. *)
+let many_rays what number =
+  Property.holds ("many rays change no pixel, " ^ what) ~count:100
+    (Generate.scene ~max_side:12 number) (fun scene ->
+      let picture index =
+        Prepared.make ~index scene
+        |> Prepared.for_many_rays ~rays:max_int
+        |> Render.picture ~domains:1 |> fst
+      in
+      Picture.equal
+        (picture (fun shapes -> Index.hierarchy shapes))
+        (picture Index.brute_force))
+
 let suite =
   ( "Prepared",
     [
       Alcotest.test_case "lobes" `Quick test_lobes;
       Alcotest.test_case "shared rows" `Quick test_shared;
       Alcotest.test_case "offset" `Quick test_offset;
+      many_rays "everyday" Generate.everyday;
+      many_rays "any size" Generate.extreme;
     ] )
