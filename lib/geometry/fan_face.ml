@@ -110,7 +110,8 @@ let cells_a_unit { area; rim; _ } count width height =
   in
   let most = most_cells count in
   let extent = width *. height in
-  if x *. x *. extent <= most then Float.max x (1. /. sqrt extent)
+  if not (extent > 0. && extent < infinity) then 0.
+  else if x *. x *. extent <= most then Float.max x (1. /. sqrt extent)
   else sqrt (most /. extent)
 
 (* {2 Cells} *)
@@ -122,12 +123,14 @@ let grid survey count ~coarser =
   in
   let width = Float.max (most_u -. least_u) 1e-300
   and height = Float.max (most_v -. least_v) 1e-300 in
-  let x = cells_a_unit survey count width height /. coarser in
+  let x = cells_a_unit survey count width height in
   let longest = Int.min longest_side (int_of_float (most_cells count)) in
   let side length =
     let cells = ceil (length *. x) in
-    if cells < float_of_int longest then Int.max 1 (int_of_float cells)
-    else longest
+    let cells =
+      if cells < float_of_int longest then int_of_float cells else longest
+    in
+    Int.max 1 (cells / coarser)
   in
   let columns = side width and rows = side height in
   (* a little more on both sides, as in [rectangle] *)
@@ -290,7 +293,7 @@ let rec make_face making ~window ~level ~most ~coarser places =
         (with_parts making ~level ~most:(most - sum) { face with references }))
     else if Array1.dim face.starts = 2 then None
     else
-      let coarser = 2. *. coarser in
+      let coarser = 2 * coarser in
       make_face making ~window ~level ~most ~coarser places
 
 and with_parts making ~level ~most face =
@@ -305,7 +308,7 @@ and with_parts making ~level ~most face =
       and window = window_of face i in
       let _, survey = survey making ~window places in
       if is_worth_a_part survey (Array.length places) window then
-        make_face making ~window ~level:(level + 1) ~most:!left ~coarser:1.
+        make_face making ~window ~level:(level + 1) ~most:!left ~coarser:1
           places
       else None
   in
@@ -333,7 +336,7 @@ let margin = 1e-10
 let make frame leaves ~window ~most =
   let margin = margin *. extent frame leaves in
   let making = { frame; leaves; margin; view = Fan_view.create () } in
-  make_face making ~window ~level:0 ~most ~coarser:1.
+  make_face making ~window ~level:0 ~most ~coarser:1
     (Array.init (Leaves.count leaves) Fun.id)
 
 (* {1 Questions} *)

@@ -70,11 +70,14 @@ let most_on_a_side = 4096
 
 let empty bounds ~count ~coarser =
   let extent k = bounds.(k + 3) -. bounds.(k) in
-  let edge = coarser *. edge count [| extent 0; extent 1; extent 2 |] in
+  let edge = edge count [| extent 0; extent 1; extent 2 |] in
   let cells k =
     let cells = Float.round (extent k /. edge) in
-    if cells < float_of_int most_on_a_side then Int.max 1 (int_of_float cells)
-    else most_on_a_side
+    (* NaN for a point *)
+    if not (cells >= 1.) then 1
+    else
+      let most = float_of_int most_on_a_side in
+      Int.max 1 (int_of_float (Float.min cells most) / coarser)
   in
   let nx = cells 0 and ny = cells 1 and nz = cells 2 in
   let scale k cells = float_of_int cells /. extent k in
@@ -193,7 +196,7 @@ let rec make_grid making ~window ~level ~coarser places =
     fill making grid places references;
     Some (with_parts making ~level { grid with references }))
   else if Array1.dim grid.starts = 2 then None
-  else make_grid making ~window ~level ~coarser:(2. *. coarser) places
+  else make_grid making ~window ~level ~coarser:(2 * coarser) places
 
 and with_parts making ~level ({ references; starts; _ } as grid) =
   let parts = ref [] and count = ref 0 in
@@ -203,7 +206,7 @@ and with_parts making ~level ({ references; starts; _ } as grid) =
       let places = Array.init (stop - first) (fun k -> references.{first + k})
       and window = window_of grid i in
       if is_worth_a_part making window places then
-        make_grid making ~window ~level:(level + 1) ~coarser:1. places
+        make_grid making ~window ~level:(level + 1) ~coarser:1 places
       else None
     else None
   in
@@ -234,7 +237,7 @@ let make (leaves : Leaves.t) =
     and window =
       Array.init 6 (fun k -> if k < 3 then neg_infinity else infinity)
     in
-    make_grid making ~window ~level:0 ~coarser:1. (Array.init count Fun.id)
+    make_grid making ~window ~level:0 ~coarser:1 (Array.init count Fun.id)
     |> Option.map (fun grid ->
            { grid with far = [| farthest *. leaves.extent |] })
 

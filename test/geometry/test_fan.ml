@@ -182,20 +182,34 @@ let test_flat () =
 
 (* {1 Fewer than it needs} *)
 
+let has_bits = Sys.int_size >= 63
+
+let leaves_of shapes =
+  let bvh = Bvh.make shapes in
+  Leaves.make shapes ~numbers:(Bvh.numbers bvh) ~balls:(Bvh.spheres bvh)
+
 let test_limits () =
   let shapes = cloud 200 ~size:10. ~radius:(fun () -> 100.) in
-  let bvh = Bvh.make shapes in
-  let leaves =
-    Leaves.make shapes ~numbers:(Bvh.numbers bvh) ~balls:(Bvh.spheres bvh)
-  in
+  let leaves = leaves_of shapes in
   let is_made most source = Option.is_some (Fan.make leaves ~most source) in
-  let lamp = Fan.Point Vec3.zero and has_bits = Sys.int_size >= 63 in
+  let lamp = Fan.Point Vec3.zero in
   (* each of the six sides sees all, in one cell at least *)
   Alcotest.(check bool) "enough" has_bits (is_made 1200 lamp);
   Alcotest.(check bool) "too few" false (is_made 1199 lamp);
   Alcotest.(check bool)
     "beyond numbers" false
     (is_made 10_000 (Point (Vec3.make 1e200 0. 0.)))
+
+(* What is too small to be squared is in one cell, and not in ever more. *)
+let test_tiny () =
+  let shapes = cloud 30 ~size:1e-170 ~radius:(fun () -> 1e-171) in
+  let sun = Fan.Along (Direction.of_vec3_exn (Vec3.make 1. (-2.) 1.5)) in
+  Alcotest.(check bool)
+    "made" has_bits
+    (Option.is_some (Fan.make (leaves_of shapes) ~most:1000 sun));
+  Alcotest.(check bool)
+    "a grid, too" true
+    (Option.is_some (Grid.make (leaves_of shapes)))
 
 let suite =
   ( "Fan",
@@ -204,6 +218,7 @@ let suite =
       Alcotest.test_case "crowds" `Quick test_crowds;
       Alcotest.test_case "flat" `Quick test_flat;
       Alcotest.test_case "limits" `Quick test_limits;
+      Alcotest.test_case "tiny" `Quick test_tiny;
       holds "as brute force" 500 (case QCheck2.Gen.(0 -- 80) Generate.everyday);
       holds "of many" 20 (case (QCheck2.Gen.pure 1500) Generate.everyday);
       holds "with numbers of any size" 1000
