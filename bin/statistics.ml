@@ -7,6 +7,7 @@ let print (tally : Tally.t) picture ~seconds =
   let count name n = Command.line "%-15s %12d" name n in
   count "primary rays" tally.primary;
   count "reflected rays" tally.reflected;
+  if tally.refracted > 0 then count "refracted rays" tally.refracted;
   count "shadow rays" tally.shadow;
   count "rays" rays;
   count "hits" tally.hits;

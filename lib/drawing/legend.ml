@@ -1,8 +1,13 @@
-let kinds = [ Path.Primary; Mirrored; Lit; Blocked ]
-let entry_width = 190.
-let width = entry_width *. float_of_int (List.length kinds)
+let kinds { Path.rays; _ } =
+  let is_refracted { Path.kind; _ } = kind = Refracted in
+  [ Path.Primary; Mirrored ]
+  @ (if List.exists is_refracted rays then [ Path.Refracted ] else [])
+  @ [ Lit; Blocked ]
 
-let in_line (x, y) =
+let entry_width = 190.
+let width path = entry_width *. float_of_int (List.length (kinds path))
+
+let in_line path (x, y) =
   let entry i kind =
     let x = x +. (entry_width *. float_of_int i) in
     let b = (x +. 34., y) in
@@ -12,7 +17,7 @@ let in_line (x, y) =
         Drawing.text ~size:11. (x +. 48., y +. 4.) (Ray_look.words Paper kind);
       ]
   in
-  List.concat (List.mapi entry kinds)
+  List.concat (List.mapi entry (kinds path))
 
 let paper = Drawing.filled (Ink 0x202428)
 let margin = 6.

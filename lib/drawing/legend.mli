@@ -2,12 +2,12 @@
 
 (** {1 On paper} *)
 
-val in_line : Drawing.point -> Drawing.t
-(** [in_line p] explains the kinds of rays on paper, beside each other, from
-    [p]. *)
+val in_line : Path.t -> Drawing.point -> Drawing.t
+(** [in_line path p] explains the kinds of rays on paper, beside each other,
+    from [p]; refracted ones if [path] has some. *)
 
-val width : float
-(** [width] is how wide that is. *)
+val width : Path.t -> float
+(** [width path] is how wide that is. *)
 
 (** {1 Over a picture} *)
 

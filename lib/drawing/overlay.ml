@@ -1,7 +1,13 @@
 open Raylab_scene
 
+type line = {
+  kind : Path.kind;
+  tint : Color.t;
+  ends : Drawing.point * Drawing.point;
+}
+
 type t = {
-  lines : (Path.kind * (Drawing.point * Drawing.point)) list;
+  lines : line list;
   hits : Drawing.point list;
   blocks : Drawing.point list;
 }
@@ -11,14 +17,18 @@ let most_rays = 400
 let make camera ~first_row { Path.rays; _ } =
   let rays = List.filteri (fun i _ -> i < most_rays) rays in
   let shift (x, y) = (x, y -. float_of_int first_row) in
-  let line { Path.kind; ray; length; _ } =
+  let line { Path.kind; ray; length; tint; _ } =
     match (kind, Camera.project_ray camera ray ~length) with
     | Primary, _ | _, None -> None
-    | _, Some (a, b) -> Some (kind, (shift a, shift b))
+    | _, Some (a, b) -> Some { kind; tint; ends = (shift a, shift b) }
   and end_of ray =
     Option.map shift (Option.bind (Path.end_of ray) (Camera.project camera))
   and is_block { Path.kind; _ } = kind = Blocked
-  and is_chain { Path.kind; _ } = kind = Primary || kind = Mirrored in
+  and is_chain { Path.kind; _ } =
+    match kind with
+    | Primary | Mirrored | Refracted -> true
+    | Unfollowed | Lit | Blocked -> false
+  in
   {
     lines = List.filter_map line rays;
     hits = List.filter_map end_of (List.filter is_chain rays);
@@ -27,15 +37,15 @@ let make camera ~first_row { Path.rays; _ } =
 
 let kinds { lines; _ } =
   List.filter
-    (fun kind -> List.mem_assoc kind lines)
-    [ Path.Mirrored; Unfollowed; Lit; Blocked ]
+    (fun kind -> List.exists (fun line -> line.kind = kind) lines)
+    [ Path.Mirrored; Refracted; Unfollowed; Lit; Blocked ]
 
 (* {1 Drawing} *)
 
-let line window kind ends =
-  match Clip.segment window ends with
+let line ~place window { kind; tint; ends = a, b } =
+  match Clip.segment window (place a, place b) with
   | None -> []
-  | Some (a, b) -> Ray_look.line Picture kind a b
+  | Some (a, b) -> Ray_look.line ~tint Picture kind a b
 
 let hit place =
   let disc ink radius =
@@ -69,9 +79,7 @@ let draw ~place window ~pixel { lines; hits; blocks } =
   in
   List.concat
     [
-      List.concat_map
-        (fun (kind, (a, b)) -> line window kind (place a, place b))
-        lines;
+      List.concat_map (line ~place window) lines;
       List.concat_map (mark hit) hits;
       List.concat_map (mark (Ray_look.cross Picture)) blocks;
       ring ~place window pixel;

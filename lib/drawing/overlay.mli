@@ -5,8 +5,15 @@
 
 open Raylab_scene
 
+type line = {
+  kind : Path.kind;
+  tint : Color.t;  (** of the light that comes along a shadow ray *)
+  ends : Drawing.point * Drawing.point;
+}
+(** The type for rays as they are seen. *)
+
 type t = {
-  lines : (Path.kind * (Drawing.point * Drawing.point)) list;
+  lines : line list;
       (** in the order in which rays were cast, but for the primary ray, which
           is seen as a point: the pixel itself *)
   hits : Drawing.point list;  (** where rays of the chain hit *)

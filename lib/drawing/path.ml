@@ -2,7 +2,7 @@ open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 
-type kind = Primary | Mirrored | Unfollowed | Lit | Blocked
+type kind = Primary | Mirrored | Refracted | Unfollowed | Lit | Blocked
 
 type ray = {
   kind : kind;
@@ -11,6 +11,7 @@ type ray = {
   length : float;
   meets : int option;
   light : int option;
+  tint : Color.t;
   words : string;
 }
 
@@ -28,28 +29,36 @@ let name ?primitive (o : Object.t) number =
 let shadow_ray number { Explain.number = light; verdict; _ } =
   match verdict with
   | Faces_away _ | Lit { shadow_ray = None; _ } -> None
-  | Lit { shadow_ray = Some ray; _ } ->
+  | Lit { shadow_ray = Some ray; through; _ } ->
       let length = Ray.reach ray in
       let words =
         pf (if length = infinity then "light %d" else "to light %d") light
       in
       let meets = None and light = Some light in
-      Some { kind = Lit; number; ray; length; meets; light; words }
+      let tint = Explain.tint through in
+      Some { kind = Lit; number; ray; length; meets; light; tint; words }
   | Blocked { shadow_ray = ray; by; blocker; primitive; t = length; _ } ->
       let words = "blocked by " ^ name ?primitive blocker by in
-      let meets = Some by and light = Some light in
-      Some { kind = Blocked; number; ray; length; meets; light; words }
+      let meets = Some by and light = Some light and tint = Color.white in
+      Some { kind = Blocked; number; ray; length; meets; light; tint; words }
 
 (* The ray of [e], the [number]th of the chain. *)
 let chain_ray number (e : Explain.t) =
-  let kind = match e.role with Primary -> Primary | Mirrored -> Mirrored in
+  let kind =
+    match e.role with
+    | Primary -> Primary
+    | Mirrored -> Mirrored
+    | Refracted -> Refracted
+  in
   let endless kind words =
-    let meets = None and light = None in
-    { kind; number; ray = e.ray; length = infinity; meets; light; words }
+    let meets = None and light = None and tint = Color.white in
+    let length = infinity in
+    { kind; number; ray = e.ray; length; meets; light; tint; words }
   in
   match e.outcome with
   | Missed -> endless kind "to the background"
   | Chain_ended -> endless Unfollowed "the chain has ended"
+  | Too_faint -> endless Unfollowed "too faint to follow"
   | Hit { hit; object_; primitive; _ } ->
       let words =
         Format.asprintf "to %s, t = %a"
@@ -68,7 +77,7 @@ let rec add film number rays hits = function
       let rays = chain_ray number e :: rays in
       let rays, hits =
         match e.outcome with
-        | Missed | Chain_ended -> (rays, hits)
+        | Missed | Chain_ended | Too_faint -> (rays, hits)
         | Hit h ->
             let shadow_rays = List.filter_map (shadow_ray number) h.lights in
             ( List.rev_append shadow_rays rays,

@@ -8,19 +8,24 @@ open Raylab_tracer
 type kind =
   | Primary  (** from the eye *)
   | Mirrored
-  | Unfollowed  (** to be followed, but the chain had ended *)
+  | Refracted
+  | Unfollowed
+      (** to be followed, but the chain had ended, or it was too faint *)
   | Lit  (** a shadow ray that reaches its light *)
   | Blocked  (** a shadow ray that does not *)
 
 type ray = {
   kind : kind;
   number : int;
-      (** along the chain, from 1; that of a shadow ray is that of the ray from
-          whose hit it starts *)
+      (** in the order of the rays that are no shadow rays, from 1; that of a
+          shadow ray is that of the ray from whose hit it starts *)
   ray : Ray.t;
   length : float;  (** [infinity] if it goes on without end *)
   meets : int option;  (** the number of the object where it ends *)
   light : int option;  (** the number of the light to which it goes *)
+  tint : Color.t;
+      (** what is left of the light that comes along a shadow ray; white of
+          other rays *)
   words : string;  (** where it goes, such as [to sphere 3, t = 4.5] *)
 }
 (** The type for rays up to where they end. *)

@@ -90,7 +90,9 @@ let make ?sample scene pixel =
   let path = Path.of_rays pixel.film (rays ?sample pixel) in
   let above, beside = panels (Extent.of_path scene path) in
   let width =
-    Float.max (beside.left +. beside.width +. gap) (Legend.width +. (2. *. gap))
+    Float.max
+      (beside.left +. beside.width +. gap)
+      (Legend.width path +. (2. *. gap))
   in
   let lines = wrap (width -. (2. *. gap)) title in
   let top =
@@ -111,7 +113,7 @@ let make ?sample scene pixel =
       Sheet.Free (List.mapi line lines)
       :: panel "above" "from above: x to the right, z up" above
       @ panel "beside" "from the side: z to the right, y up" beside
-      @ [ Free (Legend.in_line (gap, bottom +. (1.4 *. gap))) ];
+      @ [ Free (Legend.in_line path (gap, bottom +. (1.4 *. gap))) ];
   }
 
 let to_svg ?sample scene pixel = Svg.document (make ?sample scene pixel)

@@ -20,8 +20,15 @@ val lines :
 (** [lines ground pen ends] is lines between [ends]: first all their rims, if
     they have some. *)
 
-val line : ground -> Path.kind -> Drawing.point -> Drawing.point -> Drawing.t
-(** [line ground kind a b] is a ray seen from [a] to [b]. *)
+val line :
+  ?tint:Raylab_scene.Color.t ->
+  ground ->
+  Path.kind ->
+  Drawing.point ->
+  Drawing.point ->
+  Drawing.t
+(** [line ~tint ground kind a b] is a ray seen from [a] to [b], in the colour
+    of [tint] if that is one, by default white. *)
 
 val cross : ground -> Drawing.point -> Drawing.t
 (** [cross ground p] is a cross at [p], where a shadow ray is blocked. *)

@@ -84,9 +84,9 @@ let draw_ray (panel : Panel.t) (ray : Path.ray) =
       let leaving = leaving panel ray a b in
       Sketch.all
         [
-          Sketch.marks (Ray_look.line Paper ray.kind a b);
+          Sketch.marks (Ray_look.line ~tint:ray.tint Paper ray.kind a b);
           (match ray.kind with
-          | Primary | Mirrored ->
+          | Primary | Mirrored | Refracted ->
               Sketch.all
                 [
                   Sketch.marks (arrow ray.kind a b);

@@ -6,12 +6,22 @@ let pf = Printf.sprintf
 (* A mirror has no colour of its own. *)
 let mirror_color = Color.make (205. /. 255.) (218. /. 255.) (228. /. 255.)
 
+(* Nor has glass much: its tint, on something pale. *)
+let glass_color { Lobes.plain; glass; _ } =
+  let { Color.r; g; b } = Color.add plain glass in
+  let pale c = 0.55 +. (0.4 *. Float.min 1. c) in
+  Color.make (pale r) (pale g) (pale b)
+
 let fill (o : Object.t) =
-  let { Lobes.emission; albedo; mirror; _ } = Surface.lobes o.surface in
+  let { Lobes.emission; albedo; mirror; refractions; _ } =
+    Surface.lobes o.surface
+  in
   let own = Saturate.color (Color.add emission albedo) in
-  if Color.largest mirror > 0. && Color.equal own Color.black then
-    Drawing.Seen mirror_color
-  else Seen own
+  match refractions with
+  | _ when not (Color.equal own Color.black) -> Drawing.Seen own
+  | refraction :: _ -> Seen (glass_color refraction)
+  | [] when Color.largest mirror > 0. -> Seen mirror_color
+  | [] -> Seen own
 
 (* {1 Objects} *)
 

@@ -146,6 +146,16 @@ let shadow_ray ray =
 let passed { Explain.number; object_ = o; place } =
   ("past", object_ number o place)
 
+let crossed { Explain.by; object_ = o; primitive = p; place; t; point; part } :
+    Yojson.Safe.t =
+  `Assoc
+    ((("object", object_ by o place) :: primitive p)
+    @ [ ("t", number t); ("point", vector point); ("part", color part) ])
+
+let list name json = function
+  | [] -> []
+  | some -> [ (name, `List (List.map json some)) ]
+
 let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
   | Faces_away { cosine } ->
       [ ("verdict", text "faces away"); ("cosine", number cosine) ]
@@ -158,7 +168,7 @@ let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
       ]
       @ primitive p
       @ [ ("t", number t); ("point", vector point) ]
-  | Lit { shadow_ray = ray; cosine; falloff; contribution; past } ->
+  | Lit { shadow_ray = ray; cosine; falloff; contribution; past; through } ->
       [
         ("verdict", text "lit");
         shadow_ray ray;
@@ -167,6 +177,7 @@ let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
         ("contribution", color contribution);
       ]
       @ Option.to_list (Option.map passed past)
+      @ list "through" crossed through
 
 let light { Explain.number = n; light; place = at; verdict = v } :
     Yojson.Safe.t =
@@ -185,6 +196,18 @@ let light { Explain.number = n; light; place = at; verdict = v } :
       ]
     @ verdict v)
 
+let highlight { Lobes.sharpness; shine } : Yojson.Safe.t =
+  `Assoc [ ("sharpness", number sharpness); ("color", color shine) ]
+
+let refraction { Lobes.index; plain; fresnel; glass } : Yojson.Safe.t =
+  `Assoc
+    [
+      ("index", number index);
+      ("refractive", color plain);
+      ("fresnel", color fresnel);
+      ("glass", color glass);
+    ]
+
 let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
   `Assoc
     (("object", object_ h.hit.number h.object_ h.place)
@@ -200,19 +223,23 @@ let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
         ("emission", color h.lobes.emission);
         ("albedo", color h.lobes.albedo);
         ("mirror", color h.lobes.mirror);
-        ("lights", `List (List.map light h.lights));
-      ])
+      ]
+    @ list "highlights" highlight h.lobes.highlights
+    @ list "refractions" refraction h.lobes.refractions
+    @ [ ("lights", `List (List.map light h.lights)) ])
 
 let rec of_ray (e : Explain.t) : Yojson.Safe.t =
   let outcome, hit =
     match e.outcome with
     | Chain_ended -> ("chain ended", `Null)
+    | Too_faint -> ("too faint", `Null)
     | Missed -> ("missed", `Null)
     | Hit h -> ("hit", of_hit h)
   in
   `Assoc
     (ray_members e.ray
     @ [
+        ("share", number (Ray.share e.ray));
         ("left", int e.left);
         ("color", color e.color);
         ("outcome", text outcome);
@@ -225,7 +252,16 @@ and of_term { Explain.source; color = c; ray } =
     match source with
     | Background | Emitted -> []
     | Diffused { light } -> [ ("light", color light) ]
-    | Mirror -> [ ("ray", optional of_ray ray) ]
+    | Mirror { weight } ->
+        [ ("weight", color weight); ("ray", optional of_ray ray) ]
+    | Refraction { index; weight; share; cosine } ->
+        [
+          ("index", number index);
+          ("fresnel", number share);
+          ("cosine", if cosine = 0. then `Null else number cosine);
+          ("weight", color weight);
+          ("ray", optional of_ray ray);
+        ]
   in
   `Assoc
     (("source", text (Event.source_name source))

@@ -16,18 +16,31 @@ let text =
 RAY   = { "origin": VECTOR, "direction": VECTOR,
           "reach": NUMBER or null,        where it ends; null: nowhere
           "seed": NUMBER,                 a number of its pixel and sample
+          "share": NUMBER,                how much it counts in the colour
+                                          of the first ray; less than 1 if
+                                          others were sent on beside it
           "left": INT,                    rays left in the chain
           "color": COLOR,                 the terms, added from the left
-          "outcome": "hit", "missed" or "chain ended",
+          "outcome": "hit", "missed", "chain ended" or "too faint",
           "hit": HIT or null,             null unless it is "hit"
           "terms": [TERM, ...] }
 
-TERM  = { "source": "background", "emitted", "diffused" or "mirrored",
+TERM  = { "source": "background", "emitted", "diffused", "mirrored" or
+                    "refracted",
           "color": COLOR,
           "light": COLOR                  if diffused: the sum of what the
                                           lights contribute
-          "ray": RAY or null }            if mirrored: the mirrored ray; null
-                                          if the mirror is 0
+          "index": NUMBER,                if refracted: the index of what is
+                                          behind the surface
+          "fresnel": NUMBER,              if refracted: of its glass so much
+                                          is mirrored
+          "cosine": NUMBER or null,       if refracted: of the angle between
+                                          the ray and the normal; null if it
+                                          is totally reflected
+          "weight": COLOR,                if mirrored or refracted: what the
+                                          ray's colour is multiplied by
+          "ray": RAY or null }            if mirrored or refracted: the ray;
+                                          null if the weight is 0
 
 HIT   = { "object": OBJECT,
           "primitive": PRIMITIVE,         if that is a solid
@@ -43,6 +56,14 @@ HIT   = { "object": OBJECT,
                                           coordinates
           "offset": NUMBER,               along the normal, of rays to come
           "emission": COLOR, "albedo": COLOR, "mirror": COLOR,
+          "highlights": [{ "sharpness": NUMBER, "color": COLOR }, ...],
+                                          if there are any
+          "refractions": [{ "index": NUMBER,
+                            "refractive": COLOR,   let through
+                            "fresnel": COLOR,      times Fresnel's share
+                                                   mirrored
+                            "glass": COLOR },      times the rest let
+                           ...],                   through; if there are any
           "lights": [LIGHT, ...] }        none if the albedo is 0
 
 OBJECT  = { "number": INT, PLACE,
@@ -76,7 +97,9 @@ PART    = what it takes there, in that order, by name:
           "radius_b", a "torus" has "centre", "axis", "ring" and "tube",
           a "disc" has "centre", "normal" and "radius", a "triangle" has
           "a", "b" and "c", a "quad" has "corner", "edge" and "other";
-          "diffusive" and "luminous" have "color";
+          "diffusive" and "luminous" have "color", "glossy" has
+          "sharpness" and "color", "refractive" and "glass" have "index"
+          and "color";
           "scaled" has "factor", "stretched" has "factors", "rotated" has
           "axis" and "angle", "translated" has "way"
 
@@ -94,8 +117,16 @@ LIGHT   = { "number": INT, PLACE,
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
             "primitive": PRIMITIVE        if that is by a solid
             "falloff": NUMBER, "contribution": COLOR      if lit
-            "past": OBJECT }              if lit: the first object in the
+            "past": OBJECT,               if lit: the first object in the
                                           way that is shadowless
+            "through": [CROSSED, ...] }   if lit: the surfaces that the light
+                                          goes through, the nearest to the
+                                          hit first
+
+CROSSED = { "object": OBJECT,
+            "primitive": PRIMITIVE,       if that is a solid
+            "t": NUMBER, "point": VECTOR,
+            "part": COLOR }               what it lets through of the light
 
 PLACE   = LINE,                           where it is written
           "made": [STEP, ...]             if calls or rounds made it, or it

@@ -79,9 +79,36 @@ let glow emission =
   | true, word -> "a faint " ^ word ^ " glow"
   | false, word -> Words.a word ^ " glow"
 
-let mix surface paints { Lobes.emission; mirror; _ } =
-  let paints =
-    List.map (fun { word; part } -> Words.percent part ^ " " ^ word) paints
+(* A word after that for its colour, unless it has none. *)
+let colored part color word =
+  let scale = Saturate.limit (1. /. part) in
+  match Color_word.of_color (Saturate.color (Color.scale scale color)) with
+  | "white" -> word
+  | color -> color ^ " " ^ word
+
+(* What lets light through, one for each refraction of glass and of another
+   kind. *)
+let clear { Lobes.refractions; _ } =
+  let add { Lobes.plain; fresnel; glass; _ } =
+    let of_glass =
+      match Color.largest fresnel with
+      | 0. -> []
+      | part -> [ { word = colored part glass "glass"; part } ]
+    and of_plain =
+      match Color.largest plain with
+      | 0. -> []
+      | part -> [ { word = colored part plain "transparent"; part } ]
+    in
+    of_glass @ of_plain
+  in
+  List.concat_map add refractions
+
+let mix surface paints ({ Lobes.emission; mirror; _ } as lobes) =
+  let in_percent =
+    List.map (fun { word; part } -> Words.percent part ^ " " ^ word)
+  in
+  let paints = in_percent paints
+  and clear = in_percent (clear lobes)
   and mirror =
     match Color.largest mirror with
     | 0. -> []
@@ -92,7 +119,7 @@ let mix surface paints { Lobes.emission; mirror; _ } =
   let solid =
     if starts_with_mirror surface then mirror @ paints else paints @ mirror
   in
-  "mix of " ^ Words.list (solid @ glow)
+  "mix of " ^ Words.list (solid @ clear @ glow)
 
 let luminous emission =
   match Color_word.of_glow emission with
@@ -129,11 +156,11 @@ let by_look ?primitive number (o : Object.t) surface whence =
   let called, in_brackets = names ?primitive number o whence in
   let with_shape look = look ^ " " ^ called
   and without_shape look = look ^ " " ^ in_brackets in
-  match (paints, Color.largest lobes.mirror, glows) with
+  match (paints @ clear lobes, Color.largest lobes.mirror, glows) with
   | [ { word; part = 1. } ], 0., false -> with_shape word
   | [], 0., true -> with_shape (luminous lobes.emission)
   | [], 0., false -> with_shape "black"
   | [], part, false -> without_shape (mirror part)
-  | paints, _, _ -> without_shape (mix surface paints lobes)
+  | _ -> without_shape (mix surface paints lobes)
 
 let background c = Color_word.of_color c ^ " background"

@@ -23,7 +23,7 @@ let by_blocker blocked =
 let diffused =
   Explain.sum_of (function
     | Diffused _ -> true
-    | Background | Emitted | Mirror -> false)
+    | Background | Emitted | Mirror _ | Refraction _ -> false)
 
 let lit film (e : Explain.t) numbers =
   let diffused = diffused e in
@@ -42,6 +42,27 @@ let shadows (h : Explain.surface_hit) blocked =
     else Printf.sprintf "the shadow of %s from %s" name lights
   in
   "in " ^ Words.list (List.map shadow (by_blocker blocked))
+
+(* What light went through, and what became of it. *)
+let filtered (light, through) =
+  let name { Explain.by; object_; place; _ } =
+    (by, Naming.by_number by object_ place)
+  in
+  let names = List.sort_uniq compare (List.map name through) in
+  let went =
+    Printf.sprintf "light %d went through %s" light
+      (Words.list (List.map snd names))
+  and tint = Explain.tint through in
+  match Color_word.hue tint with
+  | Some _ ->
+      let whole = Saturate.limit (1. /. Color.largest tint) in
+      let bright = Saturate.color (Color.scale whole tint) in
+      Printf.sprintf "in %s: %s"
+        (Words.a (Color_word.of_color bright ^ " shadow"))
+        went
+  | None ->
+      Printf.sprintf "in a weak shadow: %s, and %s of it came out" went
+        (Words.rough_percent (Color.largest tint))
 
 let faces_away (h : Explain.surface_hit) lights =
   let clause say = function
@@ -64,6 +85,11 @@ let light_clauses film e (h : Explain.surface_hit) =
   let are_lit =
     pick (fun { number; verdict; _ } ->
         match verdict with Lit _ -> Some number | _ -> None)
+  and are_filtered =
+    pick (fun { number; verdict; _ } ->
+        match verdict with
+        | Lit { through = _ :: _ as through; _ } -> Some (number, through)
+        | _ -> None)
   and are_blocked =
     pick (fun { number; verdict; _ } ->
         match verdict with
@@ -79,6 +105,7 @@ let light_clauses film e (h : Explain.surface_hit) =
   let clause say = function [] -> [] | some -> [ say some ] in
   let clauses =
     clause (lit film e) are_lit
+    @ List.map filtered are_filtered
     @ clause (shadows h) are_blocked
     @ faces_away h are_behind
   in
@@ -91,8 +118,29 @@ let light_clauses film e (h : Explain.surface_hit) =
 
 let the phrase = "the " ^ phrase
 
-let rec path e =
-  match Explain.next e with [] -> [ e ] | next :: _ -> e :: path next
+(* Of several rays the one that brings most. *)
+let main_ray (e : Explain.t) =
+  let brighter best ({ color; ray; _ } : Explain.term) =
+    match (ray, best) with
+    | None, _ -> best
+    | Some ray, Some (most, _) when Color.largest color <= most ->
+        ignore ray;
+        best
+    | Some ray, _ -> Some (Color.largest color, ray)
+  in
+  Option.map snd (List.fold_left brighter None e.terms)
+
+(* The way along these, without further hits of what lets light through: what
+   goes into a glass ball comes out of it. *)
+let rec path ?through (e : Explain.t) =
+  let rest through =
+    match main_ray e with None -> [] | Some next -> path ?through next
+  in
+  match e.outcome with
+  | Missed | Chain_ended | Too_faint -> [ e ]
+  | Hit { lobes = { refractions = []; _ }; _ } -> e :: rest None
+  | Hit { hit; _ } when through = Some hit.number -> rest through
+  | Hit { hit; _ } -> e :: rest (Some hit.number)
 
 let clauses film e (h : Explain.surface_hit) =
   if Lobes.is_none h.lobes then [ "which returns no light" ]
@@ -113,6 +161,9 @@ let rec describe film ~depth ~article (path : Explain.t list) =
       let clauses = clauses film e h in
       String.concat ", " (look :: clauses) ^ shows film ~depth h rest
   | { outcome = Missed; color; _ } :: _ -> article (Naming.background color)
+  | { outcome = Too_faint; color; _ } :: _ ->
+      article (Naming.background color)
+      ^ ", because the ray is too faint to follow"
   | { outcome = Chain_ended; color; _ } :: _ when depth = 0 ->
       article (Naming.background color)
       ^ ", because raydepth is 0 and no ray is followed"
@@ -124,15 +175,29 @@ let rec describe film ~depth ~article (path : Explain.t list) =
   | [] -> ""
 
 and shows film ~depth h rest =
-  let is_mirror = is_black h.lobes.albedo && is_black h.lobes.emission in
-  let verb = if is_mirror then " that shows" else ", whose mirror shows" in
+  let is_clear = is_black h.lobes.albedo && is_black h.lobes.emission in
   match rest with
   | [] -> ""
-  | [ _ ] | [ _; _ ] -> verb ^ " " ^ describe film ~depth ~article:the rest
-  | _ ->
-      let between = List.length rest - 1 in
-      Printf.sprintf "%s, by way of %d more mirrors, %s" verb between
-        (describe film ~depth ~article:the [ List.nth rest between ])
+  | first :: others -> (
+      let is_mirrored (e : Explain.t) = e.role = Mirrored in
+      let verb =
+        if is_clear then " that shows"
+        else if is_mirrored first then ", whose mirror shows"
+        else ", through which shows"
+      in
+      match others with
+      | [] | [ _ ] -> verb ^ " " ^ describe film ~depth ~article:the rest
+      | _ ->
+          let between = List.length others in
+          Printf.sprintf "%s, by way of %d more %s, %s" verb between
+            (if List.for_all is_mirrored rest then "mirrors" else "surfaces")
+            (describe film ~depth ~article:the [ List.nth rest between ]))
+
+let bent (e : Explain.t) =
+  match e.outcome with
+  | Missed | Chain_ended | Too_faint -> ""
+  | Hit h ->
+      String.concat "" (List.map (fun s -> "; " ^ s) (Bending.of_hit e h))
 
 (* {1 Brightness} *)
 
@@ -154,10 +219,10 @@ let of_ray film (e : Explain.t) =
     match e.outcome with
     | Hit _ -> (Words.a, "")
     | Missed -> (the, ", since the ray hits nothing")
-    | Chain_ended -> (the, "")
+    | Chain_ended | Too_faint -> (the, "")
   in
   describe film ~depth:e.left ~article (path e)
-  ^ what ^ over_exposed film e.color
+  ^ what ^ bent e ^ over_exposed film e.color
 
 let sees film (e : Explain.t) =
   describe film ~depth:e.left ~article:the (path e)

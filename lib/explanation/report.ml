@@ -20,7 +20,7 @@ let pp_summary_with ?swatches ppf (e : Explain.t) =
 
 let print_tree style ppf e =
   pf ppf "@[<v>";
-  Tree.print_ray style ppf 1 e;
+  Tree.print_ray style ppf e;
   pf ppf "@]"
 
 let pp_tree_with ?swatches ppf e = print_tree (style ?swatches ()) ppf e
@@ -71,7 +71,7 @@ let print_sample style ppf group number sample =
     | n -> Printf.sprintf "one of %d that see" n)
     text group.Group.sees;
   pf ppf "@,";
-  Tree.print_ray style ppf 1 sample.Explain.ray;
+  Tree.print_ray style ppf sample.Explain.ray;
   print_exposed style ppf sample
 
 let print_mean style ppf { Explain.samples; color = c; _ } =
@@ -85,7 +85,7 @@ let print_mean style ppf { Explain.samples; color = c; _ } =
 
 let print_one style ppf { Explain.samples; color; _ } =
   let sample = List.hd samples in
-  Tree.print_ray style ppf 1 sample.Explain.ray;
+  Tree.print_ray style ppf sample.Explain.ray;
   print_exposed style ppf sample;
   print_encoded style ppf color
 

@@ -28,6 +28,10 @@ let pp_past ppf { Explain.number; object_; place } =
   pf ppf "@ past %s,@ which is shadowless"
     (Naming.by_number number object_ place)
 
+let pp_crossed ppf { Explain.by; object_; primitive; place; part; _ } =
+  pf ppf "@ * %a@ through %s" Lobes.pp_factor part
+    (Naming.by_number ?primitive by object_ place)
+
 let print_light style ppf indent { Explain.number; light; place; verdict } =
   let line format =
     line ppf indent
@@ -35,11 +39,13 @@ let print_light style ppf indent { Explain.number; light; place; verdict } =
       number (Light.name light) (Naming.place place)
   in
   match verdict with
-  | Lit { cosine; falloff; contribution; past; _ } ->
-      line "lit%a,@ cosine %a@ * fall-off %a@ * intensity %a@ * %a@ = %a"
+  | Lit { cosine; falloff; contribution; past; through; _ } ->
+      line "lit%a,@ cosine %a@ * fall-off %a@ * intensity %a@ * %a%a@ = %a"
         (Format.pp_print_option pp_past)
         past Number.pp cosine Number.pp falloff Number.pp light.intensity
-        Color.pp light.color (color style) contribution
+        Color.pp light.color
+        (Format.pp_print_list ~pp_sep:(fun _ () -> ()) pp_crossed)
+        through (color style) contribution
   | Faces_away { cosine } ->
       line "the surface faces away,@ cosine %a" Number.pp cosine
   | Blocked { by; blocker; primitive; place; t; point; _ } ->
@@ -57,55 +63,72 @@ let print_lights style ppf indent (h : Explain.surface_hit) all =
 
 (* {1 Rays} *)
 
-let print_hit ppf indent { Explain.hit; object_; primitive; place; lobes; _ } =
+let print_hit ppf indent e (h : Explain.surface_hit) =
+  let { Explain.hit; object_; primitive; place; lobes; _ } = h in
   let { Object.shape; surface; _ } = Object.primitive object_ hit.primitive in
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
     (Naming.by_number ?primitive hit.number object_ place
     |> Naming.with_part shape hit.part)
     Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
   line ppf indent "surface: %a" text (Format.asprintf "%a" Surface.pp surface);
-  line ppf indent "that is, %a" Lobes.pp lobes
+  line ppf indent "that is, %a" Lobes.pp lobes;
+  let say words = line ppf indent "%a" text words in
+  List.iter say (Bending.of_hit e h)
 
-(* Of a term: its name, and how it came about. *)
-let print_term style ppf indent sign next (h : Explain.surface_hit)
-    { Explain.source; color = c; ray } =
+(* Of a term: its name, and how it came about, with the number of its ray. *)
+let print_term style ppf indent sign ({ Explain.source; color = c; _ }, next) =
   let line format =
     line ppf indent ("%s %-8s %a" ^^ format) sign (Event.source_name source)
       (color style) c
   in
-  match (source, ray) with
+  match (source, next) with
   | Diffused _, _ -> line "@ = albedo * all light"
-  | Mirror, Some _ ->
-      line "@ = %a * colour of ray %d" Lobes.pp_factor h.lobes.mirror next
-  | (Background | Emitted | Mirror), _ -> line ""
+  | (Mirror { weight } | Refraction { weight; _ }), Some next ->
+      line "@ @[<hov 2>= %a@ * colour of ray %d@]" Lobes.pp_factor weight next
+  | (Background | Emitted | Mirror _ | Refraction _), _ -> line ""
 
-let print_sum style ppf indent number h (e : Explain.t) =
+let print_sum style ppf indent number terms (e : Explain.t) =
   List.iteri
     (fun i term ->
       let sign = if i = 0 then " " else "+" in
-      print_term style ppf indent sign (number + 1) h term)
-    e.terms;
+      print_term style ppf indent sign term)
+    terms;
   line ppf indent "= colour of ray %d: %a" number (color style) e.color
 
 (* Deeper rays are not moved further to the right: there must be room left. *)
 let deepest = 6
 
-let rec print_ray style ppf number (e : Explain.t) =
-  let indent = 2 * Int.min (number - 1) deepest in
-  let whence = if number = 1 then "" else ", mirrored" in
+(* Prints the ray of this number, which others were sent on to [depth] times,
+   and those after it, and is the last number of them all. *)
+let rec print style ppf ~depth ~whence number (e : Explain.t) =
+  let indent = 2 * Int.min depth deepest in
   if number > 1 then pf ppf "@,";
-  first_line ppf indent "ray %d%s:@ %a@ + t %a,@ %d left in the chain" number
-    whence Vec3.pp (Ray.origin e.ray) Direction.pp (Ray.direction e.ray) e.left;
+  first_line ppf indent "ray %d%a:@ %a@ + t %a,@ %d left in the chain" number
+    text whence Vec3.pp (Ray.origin e.ray) Direction.pp (Ray.direction e.ray)
+    e.left;
   let indent = indent + 2 in
+  let background why =
+    line ppf indent "%s:@ the background,@ %a" why (color style) e.color;
+    number
+  in
   match e.outcome with
-  | Chain_ended ->
-      line ppf indent "the chain has ended:@ the background,@ %a" (color style)
-        e.color
-  | Missed ->
-      line ppf indent "hits nothing:@ the background,@ %a" (color style)
-        e.color
+  | Chain_ended -> background "the chain has ended"
+  | Too_faint -> background "too faint to follow"
+  | Missed -> background "hits nothing"
   | Hit h ->
-      print_hit ppf indent h;
+      print_hit ppf indent e h;
       print_lights style ppf indent h (Explain.light e);
-      List.iter (print_ray style ppf (number + 1)) (Explain.next e);
-      print_sum style ppf indent number h e
+      let term last (term : Explain.term) =
+        let print next =
+          let whence = Bending.whence e next in
+          print style ppf ~depth:(depth + 1) ~whence (last + 1) next
+        in
+        ( Option.fold ~none:last ~some:print term.ray,
+          (term, Option.map (fun _ -> last + 1) term.ray) )
+      in
+      let last, terms = List.fold_left_map term number e.terms in
+      print_sum style ppf indent number terms e;
+      last
+
+let print_ray style ppf e =
+  ignore (print style ppf ~depth:0 ~whence:"" 1 e : int)

@@ -6,9 +6,10 @@ open Raylab_tracer
 type style = { swatches : Swatch.t; film : Film.t }
 (** The type for ways to print: patches of colour are as [film] shows them. *)
 
-val print_ray : style -> Format.formatter -> int -> Explain.t -> unit
-(** [print_ray style ppf number e] prints [e], ray [number] of its chain, in a
-    vertical box, with no line end after it. *)
+val print_ray : style -> Format.formatter -> Explain.t -> unit
+(** [print_ray style ppf e] prints [e] and the rays that it sends on, numbered
+    from 1 in the order in which they are cast, in a vertical box, with no line
+    end after it. *)
 
 (** {1 Parts} *)
 

@@ -20,6 +20,12 @@ let lights = function
 let number = Printf.sprintf "%.3g"
 let percent x = number (Float.min max_float (100. *. x)) ^ " %"
 
+let rough_percent x =
+  let x = Float.min max_float (100. *. x) in
+  Printf.sprintf
+    (if x < 10. then "%.2g %%" else if x < 1000. then "%.0f %%" else "%.3g %%")
+    x
+
 (* Eight, eleven, eighteen, eighty ... *)
 let starts_with_vowel phrase =
   match phrase.[0] with

@@ -13,5 +13,8 @@ val number : float -> string
 val percent : float -> string
 (** [percent x] is [x] as a part of a hundred, such as [12.5 %]. *)
 
+val rough_percent : float -> string
+(** [rough_percent x] is {!percent} with two digits, such as [96 %]. *)
+
 val a : string -> string
 (** [a phrase] is [phrase] with [a] or [an] before it. *)

@@ -7,6 +7,7 @@ type t = {
   mutable dz : float;
   mutable reach : float;
   mutable seed : float;
+  mutable share : float;
 }
 
 let create () =
@@ -19,6 +20,7 @@ let create () =
     dz = 1.;
     reach = infinity;
     seed = 0.;
+    share = 1.;
   }
 
 let[@inline] set_origin ray x y z =

@@ -15,6 +15,9 @@ type t = {
   mutable seed : float;
       (** a number on which may depend what is placed at random; 0 for a ray
           that is made by hand *)
+  mutable share : float;
+      (** how much the ray counts in the colour of the first: 1 of that, and
+          less of a ray that was sent on together with others *)
 }
 
 val create : unit -> t

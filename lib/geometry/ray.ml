@@ -11,6 +11,7 @@ let[@inline] flat (o : Vec3.t) (d : Direction.t) reach =
     dz = d.z;
     reach;
     seed = 0.;
+    share = 1.;
   }
 
 let make ~origin ~direction = flat origin direction infinity
@@ -29,6 +30,7 @@ let to_raw = of_raw
 let origin (ray : t) = Vec3.make ray.ox ray.oy ray.oz
 let reach (ray : t) = ray.reach
 let seed (ray : t) = ray.seed
+let share (ray : t) = ray.share
 
 (* The only way in is [flat], so the length is still 1. *)
 let direction (ray : t) =

@@ -34,6 +34,11 @@ val seed : t -> float
     [ray]: a fixed function of pixel and sample for a ray of a picture, which
     the rays after it inherit; 0 for a ray that is made by hand. *)
 
+val share : t -> float
+(** [share ray] is how much [ray] counts in the colour of the ray from which it
+    comes in the end: 1 of one that is made, and less of one that is sent on
+    together with others. *)
+
 val at : t -> float -> Vec3.t
 (** [at ray t] is the point of [ray] at distance [t]. *)
 

@@ -58,6 +58,13 @@ let[@inline] start spot (ray : Raw_ray.t) =
     (y +. (offset *. ny))
     (z +. (offset *. nz))
 
+let[@inline] start_behind spot (ray : Raw_ray.t) =
+  let { x; y; z; nx; ny; nz; offset; _ } = spot in
+  Raw_ray.set_origin ray
+    (x -. (offset *. nx))
+    (y -. (offset *. ny))
+    (z -. (offset *. nz))
+
 let[@inline] reflect spot (ray : Raw_ray.t) =
   let { nx; ny; nz; _ } = spot in
   start spot ray;

@@ -57,6 +57,10 @@ val start : t -> Raw_ray.t -> unit
 (** [start spot ray] makes [ray] start off the surface, on the side of the
     normal: at [point + offset * normal]. *)
 
+val start_behind : t -> Raw_ray.t -> unit
+(** [start_behind spot ray] makes [ray] start off the surface on the other
+    side: at [point - offset * normal]. *)
+
 val reflect : t -> Raw_ray.t -> unit
 (** [reflect spot ray] turns [ray] into the one that a mirror at [spot] makes
     of it: without end, from {!start} along [d - 2 (d . n) n], for which the

@@ -16,6 +16,16 @@ let chosen check scope e =
         | Value.Thing (Thing.Surface s) -> s
         | value -> Operation.wanted frame.Frame.run e "a surface" value)
 
+let weight_of check scope : Syntax.weight -> Color.t Check.ready = function
+  | Factor e ->
+      let factor =
+        Evaluate_written.number check scope Non_negative "the weight" e
+      in
+      fun frame ->
+        let factor = factor frame in
+        Color.make factor factor factor
+  | Tint e -> Evaluate_written.color check scope "the weight" e
+
 let rec nested depth check scope { Syntax.finish; span } :
     Surface.t Check.ready =
   match finish with
@@ -29,8 +39,7 @@ let rec nested depth check scope { Syntax.finish; span } :
 
 and mixed depth check scope span parts =
   let part (weight, s) =
-    ( Evaluate_written.number check scope Non_negative "the weight" weight,
-      nested (depth + 1) check scope s )
+    (weight_of check scope weight, nested (depth + 1) check scope s)
   in
   let parts = List.map part parts in
   fun frame ->
@@ -40,7 +49,7 @@ and mixed depth check scope span parts =
     in
     let parts = List.map part parts in
     attempt check frame (fun () ->
-        try Surface.mixed parts
+        try Surface.tinted parts
         with Invalid_argument _ -> Fault.fail span too_deep)
 
 let compile check scope surface = nested 0 check scope surface

@@ -68,13 +68,23 @@ let direction check scope name (e : Expression.t) =
             ~advice:"give at least one number that is not 0, such as 0 1 0"
         else v)
 
-let color check scope name e =
-  let channels =
-    three check scope Non_negative name ("red", "green", "blue") e
-  in
-  fun frame ->
-    let { Vec3.x; y; z } = channels frame in
-    Color.make x y z
+(* A colour's word, which in brackets is the name of nothing else. *)
+let color_word scope (e : Expression.t) =
+  match e.desc with
+  | Name name when Scope.find scope name = None ->
+      List.assoc_opt (String.lowercase_ascii name) Color.names
+  | _ -> None
+
+let color check scope name e : Color.t Check.ready =
+  match color_word scope e with
+  | Some c -> fun _ -> c
+  | None ->
+      let channels =
+        three check scope Non_negative name ("red", "green", "blue") e
+      in
+      fun frame ->
+        let { Vec3.x; y; z } = channels frame in
+        Color.make x y z
 
 (* Of a number that is written, its text decides: 1.0 is not whole. *)
 let is_whole sources (e : Expression.t) x =

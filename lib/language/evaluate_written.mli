@@ -13,6 +13,14 @@ val number :
   float Check.ready
 (** [number check scope rule name e] is [e], called [name]. *)
 
+val color :
+  Check.t ->
+  Scope.t ->
+  string ->
+  Expression.t ->
+  Raylab_scene.Color.t Check.ready
+(** [color check scope name e] is the value of [e], a colour called [name]. *)
+
 val compile :
   Check.t -> Scope.t -> Span.t -> default:'a -> 'a Written.t -> 'a Check.ready
 (** [compile check scope span ~default w] is what [w], whose word is at [span],

@@ -14,11 +14,10 @@ let after_word (keyword : Keyword.t) count =
 (* {1 Anything else} *)
 
 let expression = "a number, a name, a function or what stands in brackets"
-let surfaces = "a surface: diffusive, reflective, luminous or mixed"
 let range = "= and the first value, or in and a list, after the name of a loop"
 
-(* All of them, in lines of some fifty letters. *)
-let shapes =
+(* All words of a role, in lines of some fifty letters. *)
+let words role =
   let add (text, width) word =
     let separator, width = if width > 40 then ("\n", 0) else (" ", width) in
     (text ^ separator ^ word, width + String.length word + 1)
@@ -28,10 +27,12 @@ let shapes =
     | word :: (_ :: _ as rest) -> (word ^ ",") :: punctuated rest
     | ([] | [ _ ]) as few -> few
   in
-  match punctuated (Keyword.words Shape) with
+  match punctuated (Keyword.words role) with
   | first :: rest -> fst (List.fold_left add (first, String.length first) rest)
   | [] -> ""
 
+let shapes = words Shape
+let surfaces = words Surface
 let next_item = "a shape: " ^ shapes ^ ". Settings stand before the objects"
 
 let vector letter =
@@ -79,12 +80,12 @@ let rule whole before after =
   | "value", _, "plain" :: _ -> expected "number" (vector "z")
   | "parts", [ "weight" ], _ ->
       expected "surface"
-        "a surface after its weight: diffusive, reflective, luminous or mixed"
+        ("a surface after its weight:\n" ^ surfaces)
   | "parts", _, _ ->
       expected "shape"
         ("the next object (" ^ shapes
         ^ "), or another weight and surface for the mix")
-  | _, _, "surface" :: _ -> expected "surface" surfaces
+  | _, _, "surface" :: _ -> expected "surface" ("a surface: " ^ surfaces)
   | "group", _, _ -> expected "item" (item_or_end "grouping")
   | "simple_thing", "FOR" :: _, "range" :: _ -> expected "'=' or 'in'" range
   | "simple_thing", "FOR" :: _, _ -> expected "item" (item_or_end "loop")

@@ -11,3 +11,12 @@ val reflective : Surface.t Written.t
 
 val luminous : Expression.t -> Surface.t Written.t
 (** [luminous color] glows. *)
+
+val glossy : Expression.t -> Expression.t -> Surface.t Written.t
+(** [glossy sharpness color] shows the highlights of the lights. *)
+
+val refractive : Expression.t -> Expression.t -> Surface.t Written.t
+(** [refractive index color] lets what is behind it through. *)
+
+val glass : Expression.t -> Expression.t -> Surface.t Written.t
+(** [glass index color] mirrors and lets through. *)

@@ -189,9 +189,21 @@ let surfaces : t list =
       "returns light to all sides";
     row "reflective" REFLECTIVE "REFLECTIVE" [] "a perfect mirror";
     row "luminous" LUMINOUS "LUMINOUS" (color "luminous") "glows";
+    row "glossy" GLOSSY "GLOSSY"
+      (("number", "the sharpness after glossy, such as 20: glossy SHARPNESS \
+                   COLOUR") :: color "the sharpness")
+      "shines where it mirrors a light";
+    row "refractive" REFRACTIVE "REFRACTIVE"
+      (("number", "the index of refraction after refractive, such as 1.33: \
+                   refractive INDEX COLOUR") :: color "the index")
+      "lets what is behind it through, bent";
+    row "glass" GLASS "GLASS"
+      (("number", "the index of refraction after glass, such as 1.5: glass \
+                   INDEX COLOUR") :: color "the index")
+      "mirrors and lets through, as glass does";
     row "mixed" MIXED "MIXED"
-      [ ("number", "the weight of the first part of the mix:\nmixed WEIGHT \
-                    SURFACE WEIGHT SURFACE ...") ]
+      [ ("number", "the weight of the first part of the mix, a number or a \
+                    colour in [ ]:\nmixed WEIGHT SURFACE WEIGHT SURFACE ...") ]
       "a sum of surfaces";
   ]
 [@@ocamlformat "disable"]

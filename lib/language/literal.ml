@@ -31,13 +31,19 @@ let rec apply : type make made. (make, made) Written.parameters -> make -> made
 
 let build (Written.Written { parameters; make }) = apply parameters make
 
+let weight : Syntax.weight -> Color.t = function
+  | Factor x ->
+      let x = number x in
+      Color.make x x x
+  | Tint _ -> raise_notrace Computed
+
 let rec surface nesting { Syntax.finish; _ } =
   match finish with
   | Plain written -> build written
   | Mixed _ when nesting = Surface.max_nesting -> raise_notrace Computed
   | Mixed parts ->
-      let part (weight, s) = (number weight, surface (nesting + 1) s) in
-      Surface.mixed (List.map part parts)
+      let part (w, s) = (weight w, surface (nesting + 1) s) in
+      Surface.tinted (List.map part parts)
   | Chosen _ -> raise_notrace Computed
 
 let item (placed : Syntax.placed) =

@@ -54,6 +54,7 @@ let modifier change loc = { Syntax.change = Some change; span = span loc }
 %token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
 %token UNION "union" INTERSECTION "intersection" DIFFERENCE "difference"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
+%token GLOSSY "glossy" REFRACTIVE "refractive" GLASS "glass"
 %token MIXED "mixed"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
 %token TRANSLATED "translated" SHADOWLESS "shadowless"
@@ -68,7 +69,7 @@ let modifier change loc = { Syntax.change = Some change; span = span loc }
 
 (* A weight belongs to the innermost mix that is open. *)
 %nonassoc end_of_mix
-%nonassoc NUMBER LPAREN
+%nonassoc NUMBER LPAREN LBRACKET
 
 %nonassoc IN ELSE
 %left OR
@@ -286,6 +287,11 @@ own_surface:
   | "diffusive" c = color { plain (Finishes.diffusive c) $loc($1) }
   | "reflective" { plain Finishes.reflective $loc($1) }
   | "luminous" c = color { plain (Finishes.luminous c) $loc($1) }
+  | "glossy" sharpness = atom c = color
+      { plain (Finishes.glossy sharpness c) $loc($1) }
+  | "refractive" index = atom c = color
+      { plain (Finishes.refractive index c) $loc($1) }
+  | "glass" index = atom c = color { plain (Finishes.glass index c) $loc($1) }
   | "mixed" parts = parts
       { { Syntax.finish = Mixed parts; span = span $loc($1) } }
 
@@ -295,7 +301,8 @@ parts:
       { (weight, surface) :: parts }
 
 weight:
-  | x = plain { x }
+  | x = plain { Syntax.Factor x }
+  | l = bracketed { Syntax.Tint (vector_of l) }
 
 (* {1 Numbers, vectors, colours} *)
 

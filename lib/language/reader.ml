@@ -22,6 +22,17 @@ let special (token : Parser.token) =
       Some ("'!=' is no operator", "that two values differ is written <>")
   | _ -> None
 
+let own_definition sources span =
+  let word = Sources.quote sources span in
+  Scene_error.make sources span
+    (Printf.sprintf "'%s' stands in its own definition" word)
+    ~advice:
+      (Printf.sprintf
+         "after let it is a name, and no longer the word of the language: \
+          choose\n\
+          another name, such as my_%s"
+         word)
+
 let syntax_error sources checkpoint state names token (start : Lexing.position)
     (stop : Lexing.position) =
   let span = { Span.start = start.pos_cnum; stop = stop.pos_cnum } in
@@ -73,7 +84,14 @@ let explain_error sources include_ file =
         let before, token, start, stop = input in
         let state = Engine.current_state_number env in
         let names = Lexer.names words in
-        Error (syntax_error sources before state names token start stop)
+        let used =
+          Taken.used_in_definition sources ~before:start.pos_cnum
+            (Lexer.taken words)
+        in
+        Error
+          (match used with
+          | Some span -> own_definition sources span
+          | None -> syntax_error sources before state names token start stop)
     | Rejected -> assert false (* comes only after [HandlingError] *)
     | Accepted syntax -> Ok syntax
   in

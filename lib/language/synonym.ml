@@ -12,6 +12,13 @@ let rows =
       "emission emissive emit emits emitting emitter emittance glow glows \
        glowing luminance luminescent self-luminous light-emitting ambient \
        unlit" );
+    ( "glossy",
+      "gloss shiny specular phong highlight highlights polished satin plastic \
+       varnished" );
+    ( "refractive",
+      "refraction refract refracting transparent transparency transmissive \
+       transmission clear translucent water" );
+    ("glass", "dielectric crystal glassy transparent diamond ice");
     ("mixed", "mix mixes mixture blend blended combine combined layered");
     ("sphere", "ball balls globe orb spheroid");
     ("plane", "floor ground wall ceiling half-space infinite-plane");

@@ -13,8 +13,12 @@ type surface = { finish : finish; span : Span.t  (** of its first word *) }
 
 and finish =
   | Plain of Surface.t Written.t
-  | Mixed of (Expression.t * surface) list
+  | Mixed of (weight * surface) list
   | Chosen of Expression.t  (** a name, or what stands in brackets *)
+
+and weight =
+  | Factor of Expression.t
+  | Tint of Expression.t  (** a colour, in square brackets *)
 
 type modifier = {
   change : Change.modifier Written.t option;  (** [None]: shadowless *)

@@ -54,7 +54,9 @@ let warnings camera lights objects =
     else
       let o = objects.(k) in
       match (sides.(k), light_side camera o light) with
-      | (Inside, Outside | Outside, Inside) when not o.is_shadowless -> Some k
+      | (Inside, Outside | Outside, Inside)
+        when not (o.is_shadowless || Glasses.lets_through o) ->
+          Some k
       | _ -> keeper light (k + 1)
   in
   let kept_in number light =

@@ -58,7 +58,7 @@ let pp_factor ppf ({ Color.r; g; b } as color) =
   if r = g && g = b then Number.pp ppf r else Color.pp ppf color
 
 let pp_highlight ppf { sharpness; shine } =
-  Format.fprintf ppf ",@ highlight of sharpness %a: %a" Number.pp sharpness
+  Format.fprintf ppf ",@ highlight of sharpness %a:@ %a" Number.pp sharpness
     pp_factor shine
 
 (* [share] is what [factor] is multiplied by, unless that is 1. *)
@@ -68,14 +68,16 @@ let pp_times share ppf factor =
 
 let pp_refraction ppf { index; plain; fresnel; glass } =
   if not (is_black plain) then
-    Format.fprintf ppf ",@ refraction of index %a: %a" Number.pp index
+    Format.fprintf ppf ",@ refraction of index %a:@ %a" Number.pp index
       pp_factor plain;
   if not (is_black fresnel && is_black glass) then
-    Format.fprintf ppf ",@ glass of index %a: %a mirrored,@ %a through"
+    Format.fprintf ppf ",@ glass of index %a:@ %a mirrored,@ %a through"
       Number.pp index (pp_times "F") fresnel (pp_times "(1 - F)") glass
 
-let pp ppf { emission; albedo; mirror; highlights; refractions } =
-  Format.fprintf ppf "emission %a,@ albedo %a,@ mirror %a" Color.pp emission
-    Color.pp albedo pp_factor mirror;
+let pp_with color ppf { emission; albedo; mirror; highlights; refractions } =
+  Format.fprintf ppf "emission %a,@ albedo %a,@ mirror %a" color emission color
+    albedo pp_factor mirror;
   List.iter (pp_highlight ppf) highlights;
   List.iter (pp_refraction ppf) refractions
+
+let pp = pp_with Color.pp

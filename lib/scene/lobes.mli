@@ -58,3 +58,8 @@ val pp : Format.formatter -> t -> unit
     [glass of index 1.5: F mirrored, (1 - F) through], where F stands for
     Fresnel's share; lines may be broken after its commas, as the box around it
     says. *)
+
+val pp_with :
+  (Format.formatter -> Color.t -> unit) -> Format.formatter -> t -> unit
+(** [pp_with pp_color] is {!pp} with emission and albedo printed by [pp_color].
+*)

@@ -26,6 +26,9 @@ let create () =
     refractions = Raw_parts.create ~colors:3;
   }
 
+let is_plain { highlights; refractions; _ } =
+  highlights.count = 0 && refractions.count = 0
+
 let color numbers at =
   Color.make numbers.(at) numbers.(at + 1) numbers.(at + 2)
 

@@ -48,6 +48,9 @@ val glass : int
 val create : unit -> t
 (** [create ()] is a new register, of a surface that does nothing. *)
 
+val is_plain : t -> bool
+(** [is_plain raw] is whether there is nothing but the core. *)
+
 val read : t -> Lobes.t
 (** [read raw] is the lobes that [raw] holds. *)
 

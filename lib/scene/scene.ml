@@ -81,6 +81,7 @@ let findings scene =
   @ Proportions.warnings scene.camera
   @ Byte_colors.warnings ~background:scene.background scene.lights
       scene.objects
+  @ Glasses.warnings ~ray_depth:scene.ray_depth scene.objects
   @ Kept_in.warnings scene.camera scene.lights scene.objects
   @ Twins.warnings scene.objects
 

@@ -89,8 +89,9 @@ val greyscale : t -> t
 val findings : t -> Warning.t list
 (** [findings scene] is what is allowed but hardly meant: no object, no light
     though a surface needs it, a ray depth of 0, a picture that distorts the
-    canvas, colours from 0 to 255, lights that a shape keeps from all that is
-    seen, objects in the same place. *)
+    canvas, colours from 0 to 255, glass that does not close or ends chains,
+    lights that a shape keeps from all that is seen, objects in the same place.
+*)
 
 val warnings : t -> string list
 (** [warnings scene] is {!findings}[ scene], a sentence each. *)

@@ -8,7 +8,7 @@ let one_line pp value =
 
 let is_word text =
   text <> ""
-  && match text.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+  && match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '[' -> true | _ -> false
 
 let is_operator text = List.mem text [ "+"; "*"; "=" ]
 

@@ -43,7 +43,11 @@ let spherical intensity color position =
 let diffusive = Surface.diffusive
 let reflective = Surface.reflective
 let luminous = Surface.luminous
+let glossy sharpness color = Surface.glossy ~sharpness color
+let refractive index color = Surface.refractive ~index color
+let glass index color = Surface.glass ~index color
 let mixed = Surface.mixed
+let tinted = Surface.tinted
 
 let sphere centre radius surface =
   Object.make (Shape.sphere ~centre ~radius) surface

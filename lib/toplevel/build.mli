@@ -84,8 +84,21 @@ val reflective : Surface.t
 val luminous : Color.t -> Surface.t
 (** [luminous color] shines in this colour. *)
 
+val glossy : float -> Color.t -> Surface.t
+(** [glossy sharpness color] shows the highlights of the lights. *)
+
+val refractive : float -> Color.t -> Surface.t
+(** [refractive index color] lets this part of what is behind it through, bent.
+*)
+
+val glass : float -> Color.t -> Surface.t
+(** [glass index color] mirrors, and lets this part of the rest through. *)
+
 val mixed : (float * Surface.t) list -> Surface.t
 (** [mixed parts] is the sum of [parts], each a weight and a surface. *)
+
+val tinted : (Color.t * Surface.t) list -> Surface.t
+(** [tinted parts] is {!mixed} with weights that are colours. *)
 
 (** {1 Objects} *)
 

@@ -24,9 +24,8 @@ let color ppf c =
 
 let surface = Broken.at_words Surface.pp
 
-let lobes ppf { Lobes.emission; albedo; mirror; _ } =
-  Format.fprintf ppf "@[<hov 2>emission %a,@ albedo %a,@ mirror %a@]" color
-    emission color albedo Lobes.pp_factor mirror
+let lobes ppf lobes =
+  Format.fprintf ppf "@[<hov 2>%a@]" (Lobes.pp_with color) lobes
 
 let light = Broken.at_words Light.pp
 let object_ = Broken.at_words Object.pp
@@ -81,9 +80,14 @@ let verdict_in_box ppf : Explain.verdict -> unit = function
   | Blocked { by; t; point; _ } ->
       Format.fprintf ppf "blocked by object %d,@ t = %a@ at %a" by Number.pp t
         vec3 point
-  | Lit { cosine; falloff; contribution; _ } ->
-      Format.fprintf ppf "lit,@ cosine %a,@ fall-off %a,@ gives %a" Number.pp
-        cosine Number.pp falloff color contribution
+  | Lit { cosine; falloff; contribution; through; _ } ->
+      Format.fprintf ppf "lit,@ cosine %a,@ fall-off %a," Number.pp cosine
+        Number.pp falloff;
+      List.iter
+        (fun { Explain.by; part; _ } ->
+          Format.fprintf ppf "@ %a through object %d," Lobes.pp_factor part by)
+        through;
+      Format.fprintf ppf "@ gives %a" color contribution
 
 let verdict ppf = Format.fprintf ppf "@[<hov 2>%a@]" verdict_in_box
 
@@ -107,6 +111,8 @@ let term ppf { Explain.source; color = c; _ } =
 
 let outcome ppf : Explain.outcome -> unit = function
   | Chain_ended -> Format.pp_print_string ppf "the chain ended: the background"
+  | Too_faint ->
+      Format.pp_print_string ppf "too faint to follow: the background"
   | Missed -> Format.pp_print_string ppf "nothing hit: the background"
   | Hit h -> surface_hit ppf h
 
@@ -114,8 +120,9 @@ let picture ppf p =
   Format.fprintf ppf "picture of %d x %d pixels" (Picture.width p)
     (Picture.height p)
 
-let tally ppf { Tally.primary; reflected; shadow; hits; blocked; _ } =
-  Format.fprintf ppf
-    "@[<hov 2>%d primary,@ %d reflected@ and %d shadow rays,@ %d hits,@ %d \
-     lights blocked@]"
-    primary reflected shadow hits blocked
+let tally ppf { Tally.primary; reflected; refracted; shadow; hits; blocked; _ }
+    =
+  Format.fprintf ppf "@[<hov 2>%d primary,@ %d reflected" primary reflected;
+  if refracted > 0 then Format.fprintf ppf ",@ %d refracted" refracted;
+  Format.fprintf ppf "@ and %d shadow rays,@ %d hits,@ %d lights blocked@]"
+    shadow hits blocked

@@ -56,6 +56,56 @@ let diffuse t lobes at =
   else Raw_color.set light 0. 0. 0.;
   Raw_color.set t.color (r *. light.r) (g *. light.g) (b *. light.b)
 
+(* The terms of what needs no ray, whose colours are in the registers. *)
+let direct_terms t core : Event.term list =
+  match t.observe with
+  | None -> []
+  | Some _ ->
+      let emitted at = core.(Raw_lobes.emission + at) in
+      [
+        {
+          source = Emitted;
+          color = Color.make (emitted 0) (emitted 1) (emitted 2);
+        };
+        {
+          source = Diffused { light = Raw_color.to_color t.light };
+          color = Raw_color.to_color t.color;
+        };
+      ]
+
+(* What the bounces from [first] on are, before they are followed. *)
+let bounce_sources t { Raw_lobes.refractions; _ } ~first : Event.source list =
+  match t.observe with
+  | None -> []
+  | Some _ ->
+      let refraction part =
+        let k = first + 1 + part in
+        Event.Refraction
+          {
+            index = refractions.numbers.(part * refractions.size);
+            weight = Bounces.color t.bounces k;
+            share = Bounces.share t.bounces k;
+            cosine = Bounces.cosine t.bounces k;
+          }
+      in
+      Mirror { weight = Bounces.color t.bounces first }
+      :: List.init refractions.count refraction
+
+let tell_closed t left direct sources ~first =
+  match t.observe with
+  | None -> ()
+  | Some observe ->
+      let term part source =
+        { Event.source; color = Bounces.color t.bounces (first + part) }
+      in
+      let terms = direct @ List.mapi term sources in
+      observe (Closed { left; terms; color = Raw_color.to_color t.color })
+
+let show_background t left =
+  let { Color.r; g; b } = t.prepared.scene.background in
+  Raw_color.set t.color r g b;
+  tell_background t left
+
 (* Puts the colour of the ray, with [left] rays left in its chain, into the
    register [color]. *)
 let rec trace t left =
@@ -65,10 +115,7 @@ let rec trace t left =
     let { Surfaces.lobes; rows; _ } = t.surfaces in
     let row = rows.(t.meeting.number) in
     if row >= 0 then shade t left lobes row else shade_part t left)
-  else
-    let { Color.r; g; b } = t.prepared.scene.background in
-    Raw_color.set t.color r g b;
-    tell_background t left
+  else show_background t left
 
 (* The same for a ray that hits a surface that varies, or one of many. *)
 and shade_part t left =
@@ -78,8 +125,9 @@ and shade_part t left =
   else if row = Surfaces.varies then (
     let surface = Prepared.surface t.prepared ~number ~part in
     Surface.write surface t.spot t.lobes;
-    shade t left t.lobes.core 0)
-  else shade t left (Surfaces.rich t.surfaces row).core 0
+    if Raw_lobes.is_plain t.lobes then shade t left t.lobes.core 0
+    else shade_rich t left t.lobes)
+  else shade_rich t left (Surfaces.rich t.surfaces row)
 
 (* The same for a ray that hits a surface with the lobes at [at]. The mirrored
    ray uses the registers anew: what is wanted after it is read before. *)
@@ -111,16 +159,58 @@ and shade t left lobes at =
         [
           { source = Emitted; color = Color.make er eg eb };
           { source = Diffused { light }; color = Color.make dr dg db };
-          { source = Mirror; color = Color.make mr mg mb };
+          {
+            source = Mirror { weight = Color.make kr kg kb };
+            color = Color.make mr mg mb;
+          };
         ]
       in
       observe (Closed { left; terms; color = Raw_color.to_color t.color })
+
+(* The same for a surface that may send on several rays. The registers of its
+   own lobes may be used anew by the rays that it sends on. *)
+and shade_rich t left (lobes : Raw_lobes.t) =
+  let core = lobes.core and bounces = t.bounces in
+  let er = core.%(Raw_lobes.emission)
+  and eg = core.%(Raw_lobes.emission + 1)
+  and eb = core.%(Raw_lobes.emission + 2) in
+  diffuse t core 0;
+  let { Raw_color.r = dr; g = dg; b = db } = t.color in
+  let direct = direct_terms t core and first = Bounces.count bounces in
+  Bounces.add bounces lobes t.spot t.ray;
+  let sources = bounce_sources t lobes ~first in
+  let stop = Bounces.count bounces in
+  for k = first to stop - 1 do
+    if Bounces.has_weight bounces k then bounce t left k ~mirror:first
+  done;
+  let r = ref (er +. dr) and g = ref (eg +. dg) and b = ref (eb +. db) in
+  for k = first to stop - 1 do
+    r := !r +. Bounces.red bounces k;
+    g := !g +. Bounces.green bounces k;
+    b := !b +. Bounces.blue bounces k
+  done;
+  Raw_color.set t.color !r !g !b;
+  tell_closed t left direct sources ~first;
+  Bounces.drop_to bounces first
+
+(* Follows bounce [k] and puts what it brings in place of its weight. *)
+and bounce t left k ~mirror =
+  Bounces.load t.bounces k t.ray;
+  let is_faint = t.ray.share < Bounces.least_share in
+  if left > 1 && not is_faint then
+    if k = mirror then t.tally.reflected <- t.tally.reflected + 1
+    else t.tally.refracted <- t.tally.refracted + 1;
+  tell_opened t (if k = mirror then Mirrored else Refracted) (left - 1);
+  if is_faint then show_background t (left - 1) else trace t (left - 1);
+  Bounces.weigh t.bounces k t.color
 
 (* {1 Questions from outside} *)
 
 let evaluate t =
   let left = t.prepared.scene.ray_depth in
   match
+    t.ray.share <- 1.;
+    Bounces.drop_to t.bounces 0;
     tell_opened t Primary left;
     trace t left
   with

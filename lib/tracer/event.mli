@@ -14,6 +14,7 @@ open Raylab_scene
 type role =
   | Primary  (** asked for from outside: for a pixel, or by hand *)
   | Mirrored  (** to see what the surface mirrors *)
+  | Refracted  (** to see what is behind the surface *)
 
 (** The type for terms of a colour: what it is, and how it came about. *)
 type source =
@@ -21,12 +22,35 @@ type source =
   | Emitted  (** what the surface gives off *)
   | Diffused of { light : Color.t }
       (** albedo times [light], the sum of all contributions *)
-  | Mirror
-      (** mirror times the colour of the mirrored ray; there is no such ray if
-          the mirror is 0 *)
+  | Mirror of { weight : Color.t }
+      (** [weight] times the colour of the mirrored ray: the mirror, Fresnel's
+          share of glass, and all that is totally reflected *)
+  | Refraction of {
+      index : float;
+      weight : Color.t;
+      share : float;
+          (** Fresnel's, at this angle: of the glass in it that is mirrored *)
+      cosine : float;
+          (** of the angle between the refracted ray and the normal; 0 if there
+              is none, since it is totally reflected *)
+    }  (** [weight] times the colour of the ray that goes through *)
 
 type term = { source : source; color : Color.t }
 (** A term of a colour. *)
+
+type obstacle = {
+  by : int;  (** the number of the object *)
+  primitive : int option;  (** which of it, from 1, if it is a solid *)
+  t : float;  (** how far along the shadow ray *)
+  point : Vec3.t;
+}
+(** The type for what a shadow ray meets. *)
+
+type crossing = {
+  met : obstacle;
+  part : Color.t;  (** what it lets through of the light *)
+}
+(** The type for surfaces that light goes through. *)
 
 (** The type for events. The sums hold exactly, added from the left; a sum or
     product too large for a double is the largest double. *)
@@ -57,15 +81,22 @@ type t =
       falloff : float;
           (** 1 over the squared distance for a point light, else 1 *)
       contribution : Color.t;
-          (** [cosine * falloff * intensity * colour] of the light *)
+          (** [cosine * falloff * intensity * colour] of the light, times each
+              part that it goes [through] *)
       past : int option;
           (** the first object that would be in the way, but is shadowless *)
-    }  (** Nothing is in the way. *)
+      through : crossing list;
+          (** the surfaces that refract in the way, the nearest first *)
+    }  (** Nothing is in the way that ends it. *)
   | Closed of { left : int; terms : term list; color : Color.t }
       (** The ray that was opened last, and not closed, has [color], the sum of
           [terms]; [left] is what it was opened with. If it met nothing, or was
           not followed because none was left, that is the background. *)
   | Done of Color.t  (** The colour of the first ray. *)
+
+val sends : source -> role option
+(** [sends source] is what ray its term needs: a mirrored or a refracted one,
+    unless its weight is black. *)
 
 val source_name : source -> string
 (** [source_name source] is a word for it, such as ["diffused"]. *)

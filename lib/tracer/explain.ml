@@ -10,6 +10,16 @@ type primitive = {
 
 type past = { number : int; object_ : Object.t; place : Provenance.t option }
 
+type crossed = {
+  by : int;
+  object_ : Object.t;
+  primitive : primitive option;
+  place : Provenance.t option;
+  t : float;
+  point : Vec3.t;
+  part : Color.t;
+}
+
 type verdict =
   | Faces_away of { cosine : float }
   | Blocked of {
@@ -27,6 +37,7 @@ type verdict =
       falloff : float;
       contribution : Color.t;
       past : past option;
+      through : crossed list;
     }
 
 type light = {
@@ -45,7 +56,7 @@ type t = {
   color : Color.t;
 }
 
-and outcome = Chain_ended | Missed | Hit of surface_hit
+and outcome = Chain_ended | Too_faint | Missed | Hit of surface_hit
 
 and surface_hit = {
   hit : Hit.t;
@@ -92,9 +103,8 @@ let hit_of scene hit lights =
 (* Each term that needs a ray takes the next of those that were closed. *)
 let terms_of terms closed =
   let term closed { Event.source; color } =
-    match (source, closed) with
-    | Event.Mirror, ({ role = Mirrored; _ } as ray) :: closed ->
-        (closed, { source; color; ray = Some ray })
+    match (Event.sends source, closed) with
+    | Some _, ray :: closed -> (closed, { source; color; ray = Some ray })
     | _ -> (closed, { source; color; ray = None })
   in
   snd (List.fold_left_map term (List.rev closed) terms)
@@ -104,13 +114,21 @@ let close scene { opened = role, ray, left; met; verdicts; closed; _ } terms
   let outcome =
     match met with
     | Some hit -> Hit (hit_of scene hit verdicts)
-    | None -> if left = 0 then Chain_ended else Missed
+    | None when left = 0 -> Chain_ended
+    | None when Ray.share ray < Bounces.least_share -> Too_faint
+    | None -> Missed
   in
   { role; ray; left; outcome; terms = terms_of terms closed; color }
 
 let past_of scene number =
   let object_ = Prepared.numbered_object scene number in
   { number; object_; place = place scene object_.origin }
+
+let crossed_of scene { Event.met = { by; primitive; t; point }; part } =
+  let object_ = Prepared.numbered_object scene by in
+  let primitive = Option.map (primitive_of scene object_) primitive in
+  let place = place scene object_.origin in
+  { by; object_; primitive; place; t; point; part }
 
 let add_verdict scene state number verdict =
   let light = Prepared.numbered_light scene number in
@@ -131,11 +149,12 @@ let after scene state : Event.t -> open_ray = function
         (let place = place scene blocker.origin in
          let primitive = Option.map (primitive_of scene blocker) primitive in
          Blocked { shadow_ray; by; blocker; primitive; place; t; point })
-  | Lit { light; cosine; falloff; contribution; past } ->
+  | Lit { light; cosine; falloff; contribution; past; through } ->
       let shadow_ray = state.shadow_ray
-      and past = Option.map (past_of scene) past in
+      and past = Option.map (past_of scene) past
+      and through = List.map (crossed_of scene) through in
       add_verdict scene state light
-        (Lit { shadow_ray; cosine; falloff; contribution; past })
+        (Lit { shadow_ray; cosine; falloff; contribution; past; through })
   | Opened _ | Closed _ | Done _ -> unexpected ()
 
 let start role ray left =
@@ -177,6 +196,10 @@ let steps scene r () = List.to_seq (events scene r) ()
 
 (* {1 Reading} *)
 
+let tint through =
+  let weaken tint { part; _ } = Saturate.color (Color.multiply tint part) in
+  List.fold_left weaken Color.white through
+
 let next e = List.filter_map (fun (term : term) -> term.ray) e.terms
 
 let sum_of holds e =
@@ -189,7 +212,7 @@ let light e =
   let light (term : term) =
     match term.source with
     | Diffused { light } -> Some light
-    | Background | Emitted | Mirror -> None
+    | Background | Emitted | Mirror _ | Refraction _ -> None
   in
   Option.value (List.find_map light e.terms) ~default:Color.black
 

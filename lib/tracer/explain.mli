@@ -20,6 +20,17 @@ type primitive = {
 type past = { number : int; object_ : Object.t; place : Provenance.t option }
 (** An object that a ray passes. *)
 
+type crossed = {
+  by : int;  (** the number of the object *)
+  object_ : Object.t;
+  primitive : primitive option;
+  place : Provenance.t option;  (** of the object *)
+  t : float;  (** along the shadow ray *)
+  point : Vec3.t;
+  part : Color.t;  (** what it lets through of the light *)
+}
+(** A surface that light goes through. *)
+
 (** What a light gives to a hit. *)
 type verdict =
   | Faces_away of { cosine : float }
@@ -40,7 +51,11 @@ type verdict =
       cosine : float;
       falloff : float;
       contribution : Color.t;
-      past : past option;  (** the first object in the way that is shadowless *)
+      past : past option;
+          (** the first object in the way that is shadowless *)
+      through : crossed list;
+          (** the surfaces that it goes through, the nearest to the hit first
+          *)
     }
 
 type light = {
@@ -63,6 +78,9 @@ type t = {
 
 and outcome =
   | Chain_ended  (** no ray was left; the one term is the background *)
+  | Too_faint
+      (** the ray's share is less than {!Bounces.least_share}, so that it was
+          not followed; the one term is the background *)
   | Missed  (** the ray hit nothing; the one term is the background *)
   | Hit of surface_hit
 
@@ -96,9 +114,13 @@ val steps : Prepared.t -> Ray.t -> Event.t Seq.t
 
 (** {1 Reading} *)
 
+val tint : crossed list -> Color.t
+(** [tint through] is the part of the light that is left behind all of
+    [through]. *)
+
 val next : t -> t list
 (** [next e] is the rays of the terms of [e], in their order: none, or the
-    mirrored one. *)
+    mirrored one, or that and those that go through the surface. *)
 
 val sum_of : (Event.source -> bool) -> t -> Color.t
 (** [sum_of holds e] is the sum of the terms of [e] whose source [holds]. *)

@@ -3,16 +3,9 @@ open Raylab_scene
 open Registers
 
 (* What blocks the shadow ray is of interest to an observer only. *)
-let tell_blocker observe t light =
-  let shadow = t.shadow_ray in
-  t.shadow_finder.nearest shadow t.meeting;
-  let { Vec3.x; y; z } = Ray.at (Ray.of_raw shadow) shadow.reach in
-  let point = Offset.(Vec3.make (within x) (within y) (within z)) in
-  let number = Prepared.caster t.prepared t.meeting.number in
-  let primitive = Prepared.primitive t.prepared ~number ~part:t.meeting.part in
-  observe
-    (Event.Blocked
-       { light; by = number + 1; primitive; t = shadow.reach; point })
+let tell_blocker observe t light ~reach =
+  let { Event.by; primitive; t; point } = Shadow.blocker t ~reach in
+  observe (Event.Blocked { light; by; primitive; t; point })
 
 (* Whether something is in the way of the shadow ray. *)
 let is_blocked t light =
@@ -23,15 +16,13 @@ let is_blocked t light =
   | Some observe ->
       observe (Event.Shadow_ray { light; ray = Ray.of_raw t.shadow_ray }));
   let reach = t.shadow_ray.reach in
-  let blocked = t.shadow_finder.blocked light t.shadow_ray in
+  let blocked = not (Shadow.is_seen t light) in
   if blocked then (
     tally.blocked <- tally.blocked + 1;
     match t.observe with
     | None -> ()
-    | Some observe ->
-        (* the answer may have shortened the ray *)
-        t.shadow_ray.reach <- reach;
-        tell_blocker observe t light);
+    | Some observe -> tell_blocker observe t light ~reach);
+  t.shadow_ray.reach <- reach;
   blocked
 
 let tell_facing_away t light =
@@ -42,12 +33,24 @@ let tell_facing_away t light =
 
 (* The first of the shadowless objects that light goes through. *)
 let passed t has_way =
-  if has_way && Option.is_some t.prepared.casters then (
-    let reach = t.shadow_ray.reach in
-    t.finder.nearest t.shadow_ray t.meeting;
+  let { Prepared.shadowless = numbers; shapes; _ } = t.prepared in
+  if has_way && numbers <> [||] then (
+    let finder =
+      Index.ask (Index.brute_force (Array.map (Array.get shapes) numbers))
+    and reach = t.shadow_ray.reach in
+    finder.nearest t.shadow_ray t.meeting;
     t.shadow_ray.reach <- reach;
-    if Meeting.is_none t.meeting then None else Some (t.meeting.number + 1))
+    if Meeting.is_none t.meeting then None
+    else Some (numbers.(t.meeting.number) + 1))
   else None
+
+(* Adds to [sum] what comes of [light]. *)
+let add_gift t light sum =
+  if Shadow.is_tinted t then (
+    Raw_color.set t.gives 0. 0. 0.;
+    Light.add light t.incidence t.gives;
+    Shadow.add t t.gives sum)
+  else Light.add light t.incidence sum
 
 let tell_lit t light ~has_way =
   match t.observe with
@@ -56,17 +59,20 @@ let tell_lit t light ~has_way =
       let past = passed t has_way in
       let { Light.cosine; falloff } = t.incidence
       and gives = Raw_color.create () in
-      Light.add t.prepared.lights.(light - 1) t.incidence gives;
-      let contribution = Raw_color.to_color gives in
-      observe (Event.Lit { light; cosine; falloff; contribution; past })
+      add_gift t t.prepared.lights.(light - 1) gives;
+      let contribution = Raw_color.to_color gives
+      and through = Shadow.crossings t in
+      observe
+        (Event.Lit { light; cosine; falloff; contribution; past; through })
 
 (* Adds what the light of this number, from 1, gives. *)
 let add t number light =
   if Light.meet light t.spot t.incidence then (
     (* there is no way to a light where the shadow ray would start *)
     let has_way = Light.aim light t.spot t.shadow_ray in
+    if not has_way then Shadow.reset t;
     if not (has_way && is_blocked t number) then (
-      Light.add light t.incidence t.light;
+      add_gift t light t.light;
       tell_lit t number ~has_way))
   else tell_facing_away t number
 

@@ -1,6 +1,8 @@
 open Raylab_geometry
 open Raylab_scene
 
+type clear = { numbers : int array; index : Index.t }
+
 type t = {
   scene : Scene.t;
   centres : Camera.centres;
@@ -11,19 +13,28 @@ type t = {
   index : Index.t;
   casters : int array option;
   shadow_index : Index.t;
+  clear : clear option;
+  shadowless : int array;
   offset : float;
 }
 
 let usual_offset (scene : Scene.t) =
   Offset.of_scale (Camera.scale scene.camera)
 
-(* Those that shadow rays meet, if they are not all. *)
+(* The numbers of those for which it holds. *)
+let numbers_of objects holds =
+  Array.to_seqi objects
+  |> Seq.filter (fun (_, o) -> holds o)
+  |> Seq.map fst |> Array.of_seq
+
+let is_shadowless (o : Object.t) = o.is_shadowless
+let is_clear o = (not (is_shadowless o)) && Glasses.lets_through o
+let ends_light o = not (is_shadowless o || is_clear o)
+
+(* Those that end shadow rays, if they are not all. *)
 let casters_of objects =
-  if Array.exists (fun (o : Object.t) -> o.is_shadowless) objects then
-    let casts (_, (o : Object.t)) = not o.is_shadowless in
-    Array.to_seqi objects |> Seq.filter casts |> Seq.map fst |> Array.of_seq
-    |> Option.some
-  else None
+  if Array.for_all ends_light objects then None
+  else Some (numbers_of objects ends_light)
 
 let make ?(domains = 1) ?(index = Index.hierarchy ~domains) (scene : Scene.t) =
   let objects = Array.of_list scene.objects in
@@ -31,6 +42,10 @@ let make ?(domains = 1) ?(index = Index.hierarchy ~domains) (scene : Scene.t) =
   let shape (o : Object.t) = Shape.with_tolerance offset o.shape in
   let shapes = Array.map shape objects in
   let casters = casters_of objects and whole_index = index shapes in
+  let index_of numbers = index (Array.map (fun k -> shapes.(k)) numbers) in
+  let clear numbers =
+    if numbers = [||] then None else Some { numbers; index = index_of numbers }
+  in
   {
     scene;
     centres = Camera.centres scene.camera;
@@ -43,7 +58,9 @@ let make ?(domains = 1) ?(index = Index.hierarchy ~domains) (scene : Scene.t) =
     shadow_index =
       (match casters with
       | None -> whole_index
-      | Some numbers -> index (Array.map (fun k -> shapes.(k)) numbers));
+      | Some numbers -> index_of numbers);
+    clear = clear (numbers_of objects is_clear);
+    shadowless = numbers_of objects is_shadowless;
     offset;
   }
 
@@ -83,6 +100,9 @@ let with_camera camera t =
 
 let caster t place =
   match t.casters with None -> place | Some numbers -> numbers.(place)
+
+let clear_number t place =
+  match t.clear with None -> place | Some { numbers; _ } -> numbers.(place)
 
 let primitive t ~number ~part =
   match t.shapes.(number) with

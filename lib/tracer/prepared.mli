@@ -4,6 +4,12 @@
 open Raylab_geometry
 open Raylab_scene
 
+type clear = {
+  numbers : int array;  (** of the objects *)
+  index : Index.t;  (** over these; see {!clear_number} *)
+}
+(** The type for objects that shadow rays may go through. *)
+
 type t = private {
   scene : Scene.t;
   centres : Camera.centres;  (** of its pixels *)
@@ -14,8 +20,10 @@ type t = private {
   surfaces : Surfaces.t;
   index : Index.t;
   casters : int array option;
-      (** the numbers of the objects that shadow rays meet; [None] for all *)
+      (** the numbers of the objects that end shadow rays; [None] for all *)
   shadow_index : Index.t;  (** over these; see {!caster} *)
+  clear : clear option;  (** what shadow rays may go through, if any *)
+  shadowless : int array;  (** the numbers of what no shadow ray meets *)
   offset : float;  (** the usual one; see {!Raylab_geometry.Offset} *)
 }
 (** The type for prepared scenes. *)
@@ -49,6 +57,9 @@ val numbered_light : t -> int -> Light.t
 
 val caster : t -> int -> int
 (** [caster t k] is the number of what [t.shadow_index] calls [k]. *)
+
+val clear_number : t -> int -> int
+(** [clear_number t k] is the number of what [t.clear] calls [k]. *)
 
 val primitive : t -> number:int -> part:int -> int option
 (** [primitive t ~number ~part] is which primitive, from 1, [part] of the

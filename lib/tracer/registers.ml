@@ -13,7 +13,16 @@ type t = {
   meeting : Meeting.t;
   spot : Spot.t;
   lobes : Raw_lobes.t;
+  bounces : Bounces.t;
   incidence : Light.incidence;
+  clear_finder : Finder.t option;
+  passing : Raw_ray.t;
+  shadow_spot : Spot.t;
+  shadow_lobes : Raw_lobes.t;
+  part : Raw_color.t;
+  tint : Raw_color.t;
+  mutable crossings : Event.crossing list;
+  gives : Raw_color.t;
   light : Raw_color.t;
   color : Raw_color.t;
 }
@@ -35,7 +44,19 @@ let create ?observe (prepared : Prepared.t) =
     meeting = Meeting.create ();
     spot = Spot.create ();
     lobes = Raw_lobes.create ();
+    bounces = Bounces.create ();
     incidence = Light.create_incidence ();
+    clear_finder =
+      Option.map
+        (fun (clear : Prepared.clear) -> Index.ask clear.index)
+        prepared.clear;
+    passing = Raw_ray.create ();
+    shadow_spot = Spot.create ();
+    shadow_lobes = Raw_lobes.create ();
+    part = Raw_color.create ();
+    tint = Raw_color.create ();
+    crossings = [];
+    gives = Raw_color.create ();
     light = Raw_color.create ();
     color = Raw_color.create ();
   }

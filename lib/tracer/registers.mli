@@ -13,14 +13,25 @@ type t = {
   surfaces : Surfaces.t;  (** those of [prepared] *)
   observe : (Event.t -> unit) option;  (** who is told of every event *)
   finder : Finder.t;
-  shadow_finder : Finder.t;  (** of what shadow rays meet *)
+  shadow_finder : Finder.t;  (** of what ends shadow rays *)
   tally : Tally.t;
   ray : Raw_ray.t;  (** the ray of the chain *)
   shadow_ray : Raw_ray.t;
   meeting : Meeting.t;  (** what one of the two meets *)
   spot : Spot.t;  (** where the ray of the chain does *)
   lobes : Raw_lobes.t;  (** what a surface that varies denotes there *)
+  bounces : Bounces.t;  (** the rays that are still to be followed *)
   incidence : Light.incidence;  (** how one light meets it *)
+  clear_finder : Finder.t option;
+      (** of what shadow rays may go through, if there is such *)
+  passing : Raw_ray.t;  (** the shadow ray behind what it has gone through *)
+  shadow_spot : Spot.t;  (** where it meets the next of that *)
+  shadow_lobes : Raw_lobes.t;  (** what a surface that varies denotes there *)
+  part : Raw_color.t;  (** what that lets through *)
+  tint : Raw_color.t;  (** what all of that together does *)
+  mutable crossings : Event.crossing list;
+      (** all of that, the last first; kept for observers only *)
+  gives : Raw_color.t;  (** what one light gives *)
   light : Raw_color.t;  (** what all lights give *)
   color : Raw_color.t;  (** what the ray brings *)
 }

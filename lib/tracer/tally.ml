@@ -1,6 +1,7 @@
 type t = {
   mutable primary : int;
   mutable reflected : int;
+  mutable refracted : int;
   mutable shadow : int;
   mutable hits : int;
   mutable blocked : int;
@@ -12,6 +13,7 @@ let create () =
   {
     primary = 0;
     reflected = 0;
+    refracted = 0;
     shadow = 0;
     hits = 0;
     blocked = 0;
@@ -19,12 +21,14 @@ let create () =
     over_exposed = 0;
   }
 
-let rays tally = tally.primary + tally.reflected + tally.shadow
+let rays tally =
+  tally.primary + tally.reflected + tally.refracted + tally.shadow
 
 let add a b =
   {
     primary = a.primary + b.primary;
     reflected = a.reflected + b.reflected;
+    refracted = a.refracted + b.refracted;
     shadow = a.shadow + b.shadow;
     hits = a.hits + b.hits;
     blocked = a.blocked + b.blocked;

@@ -3,8 +3,9 @@
 type t = {
   mutable primary : int;  (** rays from the eye *)
   mutable reflected : int;  (** mirrored rays *)
+  mutable refracted : int;  (** rays that went through a surface *)
   mutable shadow : int;  (** rays towards lights *)
-  mutable hits : int;  (** primary and reflected rays that hit an object *)
+  mutable hits : int;  (** all of these but shadow rays that hit an object *)
   mutable blocked : int;  (** shadow rays that did not reach their light *)
   mutable samples : int;
       (** of all pixels; with several samples there are primary rays besides,

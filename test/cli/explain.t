@@ -146,6 +146,7 @@ JSON
               "direction": [ 0.0, 0.0, 1.0 ],
               "reach": null,
               "seed": 491315723.0,
+              "share": 1.0,
               "left": 4,
               "color": [ 0.2, 0.4, 0.6 ],
               "outcome": "missed",

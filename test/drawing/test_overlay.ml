@@ -41,7 +41,7 @@ let test_make () =
   Alcotest.(check (list string))
     "rays"
     [ "to a light, blocked"; "mirrored ray" ]
-    (List.map (fun (kind, _) -> words kind) lines);
+    (List.map (fun { Overlay.kind; _ } -> words kind) lines);
   Alcotest.(check (list point)) "the hit is the pixel" [ (50.5, 40.5) ] hits;
   Alcotest.(check int) "blocks" 1 (List.length blocks);
   Alcotest.(check (list string))
@@ -76,7 +76,10 @@ let discs drawing =
 (* Each with a rim: a ray, a cross of two and a ring of four lines, a disc. *)
 let test_draw () =
   let one place =
-    { Overlay.lines = [ (Lit, ((50., 40.), place)) ]; hits = []; blocks = [] }
+    let line =
+      { Overlay.kind = Lit; tint = Color.white; ends = ((50., 40.), place) }
+    in
+    { Overlay.lines = [ line ]; hits = []; blocks = [] }
   in
   let empty = { Overlay.lines = []; hits = []; blocks = [] } in
   let number overlay = List.length (draw overlay) in

@@ -32,6 +32,7 @@ let path_of scene =
 let kind : Path.kind -> string = function
   | Primary -> "primary"
   | Mirrored -> "mirrored"
+  | Refracted -> "refracted"
   | Unfollowed -> "unfollowed"
   | Lit -> "lit"
   | Blocked -> "blocked"

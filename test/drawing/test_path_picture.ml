@@ -43,6 +43,30 @@ let test_unfollowed () =
   in
   check_count "stub" 2 "the chain has ended</text>" svg
 
+(* A pane before the eye, of which a part is mirrored, and green light on the
+   wall behind it. *)
+let test_glass () =
+  let green = Surface.refractive ~index:1. (rgb 0. 1. 0.) in
+  let sun =
+    Light.directional ~intensity:1. ~color:Color.white ~direction:(v 0. 0. 1.)
+  and pane surface = plane (v 0. 0. 2.) (v 0. 0. (-1.)) surface
+  and wall = plane (v 0. 0. 4.) (v 0. 0. 1.) white in
+  let draw surface =
+    snd
+      (draw
+         (Scene.make ~lights:[ sun ]
+            ~objects:[ pane surface; wall ]
+            (camera ())))
+  in
+  let svg = draw green in
+  check_count "in the legend" 1 ">refracted</text>" svg;
+  check_count "green light" 2
+    {|stroke="#0c0" stroke-width="1.6" stroke-dasharray|} svg;
+  check_count "not mirrored" 0 {|to the background</text>|} svg;
+  let svg = draw (Surface.glass ~index:1.5 Color.white) in
+  check_count "a mirrored ray, too" 2 "to the background</text>" svg;
+  check_count "light that has no colour" 0 {|stroke="#0c0"|} svg
+
 (* A piece of a plane is a polygon; far beyond the panel it is nothing. *)
 let test_patch () =
   let space = Box3.make ~low:(v 0. 0. 0.) ~high:(v 10. 10. 10.) in
@@ -130,6 +154,7 @@ let suite =
       Alcotest.test_case "a chain that ends" `Quick test_unfollowed;
       Alcotest.test_case "thousands of spheres" `Quick test_many;
       Alcotest.test_case "extent" `Quick test_extent;
+      Alcotest.test_case "glass" `Quick test_glass;
       Alcotest.test_case "a piece of a plane" `Quick test_patch;
       Alcotest.test_case "a body" `Quick test_body;
     ]

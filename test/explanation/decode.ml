@@ -14,10 +14,24 @@ let bare_ray get =
   Raw_ray.set_direction raw x y z;
   raw.reach <- Option.value (optional float (get "reach")) ~default:infinity;
   raw.seed <- float (get "seed");
-  Ray.of_raw raw
+  raw
 
 let ray_members = [ "origin"; "direction"; "reach"; "seed" ]
-let shadow_ray json = bare_ray (members ray_members json)
+let shadow_ray json = Ray.of_raw (bare_ray (members ray_members json))
+
+let sent_ray get =
+  let raw = bare_ray get in
+  raw.share <- float (get "share");
+  Ray.of_raw raw
+
+let crossed json : Explain.crossed =
+  let by, object_, place = object_ (member "object" json) in
+  let names, primitive = primitive json object_ in
+  let get = members (("object" :: names) @ [ "t"; "point"; "part" ]) json in
+  let t = float (get "t")
+  and point = vector (get "point")
+  and part = color (get "part") in
+  { by; object_; primitive; place; t; point; part }
 
 let light json : Explain.light =
   let is_directional = kind json = "directional" in
@@ -41,12 +55,14 @@ let light json : Explain.light =
         let t = float (get "t") in
         (Blocked { shadow_ray; by; blocker; primitive; place; t; point }, get)
     | "lit" ->
-        let names = if has "past" json then [ "past" ] else [] in
+        let names =
+          List.filter (fun name -> has name json) [ "past"; "through" ]
+        in
         let get =
           get ([ "shadow_ray"; "cosine"; "falloff"; "contribution" ] @ names)
         in
         let past =
-          if names = [] then None
+          if not (has "past" json) then None
           else
             let number, object_, place = object_ (get "past") in
             Some { Explain.number; object_; place }
@@ -55,7 +71,10 @@ let light json : Explain.light =
         let cosine = float (get "cosine")
         and falloff = float (get "falloff")
         and contribution = color (get "contribution") in
-        (Lit { shadow_ray; cosine; falloff; contribution; past }, get)
+        let through =
+          if has "through" json then list crossed (get "through") else []
+        in
+        (Lit { shadow_ray; cosine; falloff; contribution; past; through }, get)
     | other -> wrong other
   in
   let light =
@@ -70,19 +89,35 @@ let light json : Explain.light =
   let place = Test_support.Build.place light.origin in
   { number = int (get "number"); light; place; verdict }
 
+let highlight json : Lobes.highlight =
+  let get = members [ "sharpness"; "color" ] json in
+  { sharpness = float (get "sharpness"); shine = color (get "color") }
+
+let refraction json : Lobes.refraction =
+  let get = members [ "index"; "refractive"; "fresnel"; "glass" ] json in
+  {
+    index = float (get "index");
+    plain = color (get "refractive");
+    fresnel = color (get "fresnel");
+    glass = color (get "glass");
+  }
+
 let rec ray role json : Explain.t =
-  let names = ray_members @ [ "left"; "color"; "outcome"; "hit"; "terms" ] in
+  let names =
+    ray_members @ [ "share"; "left"; "color"; "outcome"; "hit"; "terms" ]
+  in
   let get = members names json in
   let outcome : Explain.outcome =
     match (text (get "outcome"), get "hit") with
     | "chain ended", `Null -> Chain_ended
+    | "too faint", `Null -> Too_faint
     | "missed", `Null -> Missed
     | "hit", json -> Hit (hit json)
     | other, _ -> wrong other
   in
   {
     role;
-    ray = bare_ray get;
+    ray = sent_ray get;
     left = int (get "left");
     outcome;
     terms = list term (get "terms");
@@ -100,8 +135,18 @@ and term json : Explain.term =
         let get = get [ "light" ] in
         (Diffused { light = color (get "light") }, get, None)
     | "mirrored" ->
-        let get = get [ "ray" ] in
-        (Mirror, get, optional (ray Mirrored) (get "ray"))
+        let get = get [ "weight"; "ray" ] in
+        let weight = color (get "weight") in
+        (Mirror { weight }, get, optional (ray Mirrored) (get "ray"))
+    | "refracted" ->
+        let get = get [ "index"; "fresnel"; "cosine"; "weight"; "ray" ] in
+        let index = float (get "index")
+        and share = float (get "fresnel")
+        and cosine = Option.value (optional float (get "cosine")) ~default:0.
+        and weight = color (get "weight") in
+        ( Refraction { index; weight; share; cosine },
+          get,
+          optional (ray Refracted) (get "ray") )
     | other -> wrong other
   in
   { source; color = color (get "color"); ray }
@@ -112,7 +157,9 @@ and hit json : Explain.surface_hit =
   let names =
     ("object" :: primitive_names)
     @ [ "t"; "point"; "normal"; "outside"; "part"; "own_point" ]
-    @ [ "offset"; "emission"; "albedo"; "mirror"; "lights" ]
+    @ [ "offset"; "emission"; "albedo"; "mirror" ]
+    @ List.filter (fun name -> has name json) [ "highlights"; "refractions" ]
+    @ [ "lights" ]
   in
   let get = members names json in
   let index = Option.map (fun p -> p.Explain.index) primitive in
@@ -140,8 +187,12 @@ and hit json : Explain.surface_hit =
         emission = color (get "emission");
         albedo = color (get "albedo");
         mirror = color (get "mirror");
-        highlights = [];
-        refractions = [];
+        highlights =
+          (if has "highlights" json then list highlight (get "highlights")
+           else []);
+        refractions =
+          (if has "refractions" json then list refraction (get "refractions")
+           else []);
       };
     lights = list light (get "lights");
   }

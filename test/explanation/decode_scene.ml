@@ -64,7 +64,13 @@ let kind json = text (member "kind" json)
 (* [written json] is the words of the scene language for a shape or surface: its
    kind, and its parts in their order. *)
 let rec written : Yojson.Safe.t -> string list = function
-  | `Assoc members -> List.concat_map (fun (_, part) -> written part) members
+  | `Assoc members ->
+      let part = function
+        | "weight", (`List _ as color) ->
+            [ Printf.sprintf "[%s]" (String.concat ", " (written color)) ]
+        | _, part -> written part
+      in
+      List.concat_map part members
   | `List items -> List.concat_map written items
   | `String word -> [ word ]
   | number -> [ Number.to_exact_string (float number) ]

@@ -319,4 +319,72 @@ let all =
       ~summary:
         [ "of 64 samples see"; "mix of 80 % red and 15 % mirror (sphere" ]
       ~tree:[ "sum of all 64 samples" ];
+    ask ~samples:1 "whitted" 83 420
+      "Why is the lower half of the small ball as blue as the sky?"
+      ~summary:
+        [
+          "an orange glass sphere (object 3, line 23) that shows the blue \
+           background";
+          "refracted into the glass (39.4 degrees to the normal become 25): \
+           95 % goes through, 4.5 % is mirrored";
+        ]
+      ~tree:[ "refracted out of the glass (25 degrees to the normal" ];
+    ask ~samples:1 "whitted" 83 350 "And why is its upper half red?"
+      ~summary:
+        [
+          "that shows the red quad (object 147, line 28, j = -1, i = -3";
+          "(33.7 degrees to the normal become 21.7)";
+        ]
+      ~tree:[ "point (-2.23"; "refracted rgb" ];
+    ask ~samples:1 "whitted" 200 260
+      "Why does the large ball show the floor the right way up?"
+      ~summary:
+        [
+          "a glass sphere (object 1.1, line 17) of difference 1 (line 16) \
+           that shows the yellow quad (object 154";
+          "(38.5 degrees to the normal become 24.5)";
+        ]
+      ~tree:
+        [
+          "refracted out of the glass (26.1 degrees to the normal become 41.3)";
+          "refracted into the glass (41.3 degrees to the normal become 26.1)";
+          "refracted out of the glass (24.5 degrees to the normal become 38.5)";
+        ];
+    ask ~samples:1 "whitted" 370 410 "Why is this shadow so weak?"
+      ~summary:
+        [
+          "a yellow quad (object 216";
+          "lit by lights 1 and 2, in a weak shadow: light 1 went through \
+           difference 1 (line 16), and 83 % of it came out";
+        ]
+      ~tree:[ "through sphere 1.1 (line 17) of difference 1"; "= rgb" ];
+    ask ~samples:1 "whitted" 150 428 "And why is that one orange?"
+      ~summary:
+        [
+          "a red quad (object 169";
+          "in an orange shadow: light 1 went through sphere 3 (line 23)";
+        ]
+      ~tree:[ "through sphere 3 (line 23) * rgb" ];
+    ask ~samples:1 "whitted" 330 240
+      "Why is the rim of the large ball like a mirror?"
+      ~summary:[ "64 % goes through, 36 % is mirrored" ]
+      ~tree:
+        [
+          "totally reflected (44 degrees to the normal, and from 41.8 on all \
+           is)";
+        ];
+    ask ~samples:1 "whitted" 25 385 "How much is mirrored at its left edge?"
+      ~summary:
+        [
+          "(72.9 degrees to the normal become 39.6): 79 % goes through, 21 % \
+           is mirrored";
+        ]
+      ~tree:[ "mirrored rgb" ];
+    ask ~samples:1 "wine-glass" 215 362 "Why is the table red here?"
+      ~summary:
+        [
+          "in a red shadow: light 1 went through difference 29";
+          "intersection 30";
+        ]
+      ~tree:[ "through" ];
   ]

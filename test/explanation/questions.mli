@@ -12,7 +12,10 @@
     stood: where a thing has a sixth of the pixel, the first four samples may
     all miss it, and black beside black takes one sample; such pixels or
     answers were changed once that was seen, and those of [berries] were chosen
-    from its picture. *)
+    from its picture.
+
+    Those about glass were answered by a tracer of a page in another language,
+    with the words for it made up beforehand; all stood. *)
 
 type t = {
   scene : string;  (** the file in [scenes/], without [.scene] *)

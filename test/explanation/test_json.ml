@@ -56,6 +56,7 @@ let test_document () =
           ("direction", vector 0. 0. 1.);
           ("reach", `Null);
           ("seed", `Float (Raylab_geometry.Ray.seed (Explain.centre pixel).ray));
+          ("share", `Float 1.);
           ("left", `Int 4);
           ("color", color);
           ("outcome", `String "missed");

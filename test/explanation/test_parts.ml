@@ -1,3 +1,4 @@
+module Geometry = Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -15,6 +16,20 @@ let contribution { Explain.verdict; _ } =
   | Lit { contribution; _ } -> contribution
   | Faces_away _ | Blocked _ -> Color.black
 
+(* cosine * fall-off * intensity * colour, and what is left of that behind all
+   that the light goes through. *)
+let gift_is_right { Explain.light; verdict; _ } =
+  match verdict with
+  | Faces_away _ | Blocked _ -> true
+  | Lit { cosine; falloff; contribution; through; _ } ->
+      let k = Saturate.limit (cosine *. falloff) in
+      let gives = limited (Color.scale k light.power) in
+      let weaken tint { Explain.part; _ } =
+        limited (Color.multiply tint part)
+      in
+      let tint = List.fold_left weaken Color.white through in
+      is_same contribution (limited (Color.multiply gives tint))
+
 (* From the left, and limited only at the end. *)
 let total terms =
   let add sum (term : Explain.term) = Color.add sum term.color in
@@ -23,19 +38,88 @@ let total terms =
   | (first : Explain.term) :: rest ->
       limited (List.fold_left add first.color rest)
 
+(* What [f] makes of each of the refractions, and how it is here: Fresnel's
+   share, and whether it is totally reflected. *)
+let bent f { Lobes.refractions; _ } terms =
+  let share (term : Explain.term) =
+    match term.source with
+    | Refraction { index; share; cosine; _ } -> Some (index, share, cosine = 0.)
+    | _ -> None
+  in
+  List.map2
+    (fun (r : Lobes.refraction) (index, share, is_total) ->
+      if r.index <> index then invalid_arg "another refraction";
+      f r share is_total)
+    refractions
+    (List.filter_map share terms)
+
+(* Fresnel's share of glass, and all of what is totally reflected. *)
+let mirrored lobes terms =
+  let add mirror (r : Lobes.refraction) share is_total =
+    let of_glass = Color.scale share r.fresnel
+    and of_plain = Color.scale (if is_total then 1. else 0.) r.plain in
+    limited (Color.add mirror (Color.add of_glass of_plain))
+  in
+  List.fold_left
+    (fun mirror add -> add mirror)
+    lobes.Lobes.mirror
+    (bent (fun r share total mirror -> add mirror r share total) lobes terms)
+
+let refracted lobes (term : Explain.term) =
+  match term.source with
+  | Refraction { index; share; cosine; _ } ->
+      let is_it { Lobes.index = i; _ } = i = index in
+      let r = List.find is_it lobes.Lobes.refractions in
+      let plain = if cosine = 0. then Color.black else r.plain in
+      limited (Color.add plain (Color.scale (1. -. share) r.glass))
+  | _ -> Color.black
+
+(* A ray that is sent on has its part of the share of the one before. *)
+let shares_are_right (e : Explain.t) =
+  let weights =
+    List.filter_map
+      (fun (term : Explain.term) ->
+        match term.source with
+        | Mirror { weight } | Refraction { weight; _ } ->
+            Some (Color.largest weight, term.ray)
+        | Background | Emitted | Diffused _ -> None)
+      e.terms
+  in
+  let sum = List.fold_left (fun sum (w, _) -> sum +. w) 0. weights in
+  let own = Geometry.Ray.share e.ray in
+  let is_alone = List.length (Explain.next e) = 1 in
+  List.for_all
+    (fun (w, ray) ->
+      match ray with
+      | None -> true
+      | Some (next : Explain.t) ->
+          let expected =
+            if is_alone then own
+            else own *. (w /. Saturate.limit (Float.max 1. sum))
+          in
+          Geometry.Ray.share next.ray = expected)
+    weights
+
 (* A colour is what its source makes of the lobes, the lights and the ray. *)
-let term_is_right (h : Explain.surface_hit) (term : Explain.term) =
-  let { Lobes.emission; albedo; mirror; _ } = h.lobes in
+let term_is_right terms (h : Explain.surface_hit) (term : Explain.term) =
+  let { Lobes.emission; albedo; _ } = h.lobes in
+  let of_ray weight ray =
+    match ray with
+    | None -> Color.largest weight = 0. && is_same term.color Color.black
+    | Some (next : Explain.t) ->
+        Color.largest weight > 0.
+        && is_same term.color (limited (Color.multiply weight next.color))
+  in
   match (term.source, term.ray) with
   | Emitted, None -> is_same term.color emission
   | Diffused { light }, None ->
       let lights = List.map contribution h.lights in
       is_same light (List.fold_left sum Color.black lights)
       && is_same term.color (limited (Color.multiply albedo light))
-  | Mirror, None -> Color.largest mirror = 0. && is_same term.color Color.black
-  | Mirror, Some next ->
-      Color.largest mirror > 0.
-      && is_same term.color (limited (Color.multiply mirror next.color))
+  | Mirror { weight }, ray ->
+      is_same weight (mirrored h.lobes terms) && of_ray weight ray
+  | Refraction { weight; _ }, ray ->
+      is_same weight (refracted h.lobes term) && of_ray weight ray
   | Background, _ | (Emitted | Diffused _), Some _ -> false
 
 let sources (e : Explain.t) =
@@ -45,16 +129,22 @@ let rec adds_up background (e : Explain.t) =
   is_same e.color (total e.terms)
   &&
   match e.outcome with
-  | Missed | Chain_ended ->
-      (e.outcome = Missed || e.left = 0)
+  | Missed | Chain_ended | Too_faint ->
+      (e.outcome <> Chain_ended || e.left = 0)
+      && (e.outcome <> Too_faint || Geometry.Ray.share e.ray < 1. /. 1024.)
       && sources e = [ "background" ]
       && is_same e.color background
   | Hit h ->
-      sources e = [ "emitted"; "diffused"; "mirrored" ]
-      && List.for_all (term_is_right h) e.terms
+      sources e
+      = [ "emitted"; "diffused"; "mirrored" ]
+        @ List.map (fun _ -> "refracted") h.lobes.refractions
+      && List.for_all (term_is_right e.terms h) e.terms
+      && List.for_all gift_is_right h.lights
+      && Geometry.Ray.share e.ray >= 1. /. 1024.
+      && shares_are_right e
       && List.for_all
            (fun (next : Explain.t) ->
-             next.role = Mirrored
+             next.role <> Primary
              && next.left = e.left - 1
              && adds_up background next)
            (Explain.next e)
@@ -104,13 +194,15 @@ let count (tally : Tally.t) (e : Explain.t) =
   in
   let rec ray (e : Explain.t) =
     match e.outcome with
-    | Missed | Chain_ended -> ()
+    | Missed | Chain_ended | Too_faint -> ()
     | Hit h ->
         tally.hits <- tally.hits + 1;
         List.iter light h.lights;
         let follow (next : Explain.t) =
-          if next.outcome <> Chain_ended then
-            tally.reflected <- tally.reflected + 1;
+          (match (next.outcome, next.role) with
+          | (Chain_ended | Too_faint), _ | _, Primary -> ()
+          | _, Mirrored -> tally.reflected <- tally.reflected + 1
+          | _, Refracted -> tally.refracted <- tally.refracted + 1);
           ray next
         in
         List.iter follow (Explain.next e)

@@ -56,6 +56,7 @@ let test_order () =
     match event with
     | Opened { role = Primary; left; _ } -> Printf.sprintf "cast %d" left
     | Opened { role = Mirrored; left; _ } -> Printf.sprintf "bounce %d" left
+    | Opened { role = Refracted; left; _ } -> Printf.sprintf "refract %d" left
     | Met { number; _ } -> Printf.sprintf "hit %d" number
     | Faces_away { light; _ } -> Printf.sprintf "away %d" light
     | Shadow_ray { light; _ } -> Printf.sprintf "shadow %d" light

@@ -94,13 +94,28 @@ let color number random =
   else vector (at_least_0 number) random
 
 let rec surface number depth random =
-  match up_to random (if depth = 0 then 2 else 3) with
+  match up_to random (if depth = 0 then 4 else 5) with
   | 0 -> "diffusive " ^ color number random
   | 1 -> "reflective"
   | 2 -> "luminous " ^ color number random
+  | 3 ->
+      Printf.sprintf "glass %s %s" (positive number random)
+        (color number random)
+  | 4 ->
+      Printf.sprintf "%s %s %s"
+        (choose random [| "refractive"; "glossy" |])
+        (positive number random) (color number random)
   | _ ->
+      let weight random =
+        match up_to random 2 with
+        | 0 ->
+            let channel () = at_least_0 number random in
+            Printf.sprintf "[%s, %s, %s]" (channel ()) (channel ())
+              (channel ())
+        | _ -> at_least_0 number random
+      in
       let part random =
-        at_least_0 number random ^ " " ^ surface number (depth - 1) random
+        weight random ^ " " ^ surface number (depth - 1) random
       in
       Printf.sprintf "mixed %s %s" (part random) (some random 2 part)
 

@@ -17,13 +17,17 @@ let hit { Hit.t; point; own_point; normal; offset; _ } =
   && vec3 (normal :> Vec3.t)
   && number offset
 
+let crossed { Explain.t; point; part; _ } =
+  number t && vec3 point && color part
+
 let verdict = function
   | Explain.Faces_away { cosine } -> number cosine
   | Blocked { shadow_ray; t; point; _ } ->
       ray shadow_ray && number t && vec3 point
-  | Lit { shadow_ray; cosine; falloff; contribution; _ } ->
+  | Lit { shadow_ray; cosine; falloff; contribution; through; _ } ->
       Option.fold ~none:true ~some:ray shadow_ray
       && number cosine && number falloff && color contribution
+      && List.for_all crossed through
 
 let highlight { Lobes.sharpness; shine } = number sharpness && color shine
 
@@ -37,13 +41,16 @@ let lobes { Lobes.emission; albedo; mirror; highlights; refractions } =
 
 let source = function
   | Event.Diffused { light } -> color light
-  | Background | Emitted | Mirror -> true
+  | Mirror { weight } -> color weight
+  | Refraction { index; weight; share; cosine } ->
+      number index && color weight && number share && number cosine
+  | Background | Emitted -> true
 
 let rec ray_explanation (e : Explain.t) =
   ray e.ray && color e.color && List.for_all term e.terms
   &&
   match e.outcome with
-  | Chain_ended | Missed -> true
+  | Chain_ended | Too_faint | Missed -> true
   | Hit s ->
       hit s.hit && lobes s.lobes
       && List.for_all (fun { Explain.verdict = v; _ } -> verdict v) s.lights

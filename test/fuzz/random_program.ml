@@ -163,10 +163,20 @@ let color scope random =
       sprintf "%s %s %s" (p ()) (p ()) (p ())
 
 let rec own_surface scope depth random =
-  match up_to random (if depth = 0 then 2 else 3) with
+  match up_to random (if depth = 0 then 4 else 6) with
   | 0 -> "diffusive " ^ color scope random
   | 1 -> "reflective"
   | 2 -> "luminous " ^ color scope random
+  | 3 -> sprintf "glass %s %s" (positive scope random) (color scope random)
+  | 4 ->
+      sprintf "%s %s %s"
+        (choose random [| "refractive"; "glossy" |])
+        (positive scope random) (color scope random)
+  | 5 ->
+      sprintf "mixed [gold] %s [hsv(%s, 0.5, 1)] %s"
+        (own_surface scope (depth - 1) random)
+        (number_in scope 1 random)
+        (surface scope (depth - 1) random)
   | _ ->
       sprintf "mixed 0.5 %s (%s) %s"
         (own_surface scope (depth - 1) random)

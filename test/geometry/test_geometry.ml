@@ -8,6 +8,7 @@ let () =
       Test_box3.suite;
       Test_meeting.suite;
       Test_spot.suite;
+      Test_refraction.suite;
       Test_crossings.suite;
       Test_offset.suite;
       Test_similarity.suite;

@@ -86,6 +86,38 @@ let test_next_object () =
        "sphere 0 0 6 1 mixed 1 mixed 2 reflective sphere 0 0 7 1 mixed 3 \
         luminous red")
 
+(* A colour in square brackets weighs each channel. *)
+let test_colors () =
+  let gold = Color.make 1. 0.78 0.3 in
+  check "by name" "mixed [gold] reflective" (Surface.tinted [ (gold, mirror) ]);
+  check "in numbers, beside numbers"
+    "mixed [1, 0.78, 0.3] reflective 2 luminous red"
+    (Surface.tinted [ (gold, mirror); (Color.make 2. 2. 2., glow) ]);
+  check "computed" "mixed 1 reflective [2 * [0.5, 0.39, 0.15]] luminous red"
+    (Surface.tinted [ (Color.white, mirror); (gold, glow) ]);
+  Alcotest.(check (list Same.surface))
+    "a name wins over a colour's word"
+    [ Surface.tinted [ (Color.red, mirror) ] ]
+    (List.map
+       (fun (o : Object.t) -> o.surface)
+       (Read.scene
+          (Read.with_header
+             "let gold = 1 0 0 sphere 0 0 6 1 mixed [gold] reflective"))
+         .objects)
+
+let test_glass () =
+  let gold = Color.make 1. 0.78 0.3 in
+  check "glass" "glass 1.5 gold" (Surface.glass ~index:1.5 gold);
+  check "refractive" "refractive (3 / 2) [gold]"
+    (Surface.refractive ~index:1.5 gold);
+  check "glossy" "glossy 20 1 .78 .3" (Surface.glossy ~sharpness:20. gold);
+  check "as parts" "mixed 1 glass 1.5 gold 2 glossy 20 gold"
+    (Surface.mixed
+       [
+         (1., Surface.glass ~index:1.5 gold);
+         (2., Surface.glossy ~sharpness:20. gold);
+       ])
+
 let suite =
   ( "Mixes",
     [
@@ -94,4 +126,6 @@ let suite =
       Alcotest.test_case "next object" `Quick test_next_object;
       Alcotest.test_case "the deepest" `Quick test_deepest;
       Alcotest.test_case "too deep" `Quick test_too_deep;
+      Alcotest.test_case "weights that are colours" `Quick test_colors;
+      Alcotest.test_case "glass" `Quick test_glass;
     ] )

@@ -101,6 +101,26 @@ sphere 0 0 6 1 luminous 0 0 -1
 sphere 0 0 6 1 mixed 1 reflective -2 reflective
                                   ^^ the weight must not be negative, not -2
 |};
+  check "weight that is a colour"
+    {|
+sphere 0 0 6 1 mixed [1, -2, 1] reflective
+                         ^^ the green of the weight must not be negative, ...
+|};
+  check "index"
+    {|
+sphere 0 0 6 1 glass 0 white
+                     ^ the index of refraction must be greater than 0, not 0
+|};
+  check "index of refractive"
+    {|
+sphere 0 0 6 1 refractive -1 white
+                          ^^ the index of refraction must be greater than ...
+|};
+  check "sharpness"
+    {|
+sphere 0 0 6 1 glossy -1 white
+                      ^^ the sharpness of glossy must not be negative, not -1
+|};
   check "inside a mix"
     {|
 sphere 0 0 6 1 mixed 1 mixed -2 luminous 0 -3 0

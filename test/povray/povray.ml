@@ -58,8 +58,15 @@ let write_light channel camera (light : Light.t) =
         (color (Color.scale near power))
         (number distance)
 
-let write_surface channel surface =
-  let { Lobes.emission; albedo; mirror; _ } = Surface.lobes surface in
+(* All of one kind and one colour; shadows are weakened as here. *)
+let write_clear channel { Lobes.plain; fresnel; glass; _ } =
+  let is_glass = not (Color.equal fresnel Color.black) in
+  let { Color.r; g; b } = if is_glass then glass else plain in
+  Printf.fprintf channel " pigment{rgbf<%s,%s,%s,1>}finish{diffuse 0%s}}\n"
+    (number r) (number g) (number b)
+    (if is_glass then " reflection{1 fresnel} conserve_energy" else "")
+
+let write_plain channel { Lobes.emission; albedo; mirror; _ } =
   let is_black = Color.equal Color.black in
   let reflection =
     if is_black mirror then ""
@@ -74,6 +81,21 @@ let write_surface channel surface =
   | true, false -> finish albedo "diffuse 1"
   | false, true -> finish emission "diffuse 0 emission 1"
   | false, false -> invalid_arg "POV-Ray: a luminous and diffusive surface"
+
+let write_surface channel surface =
+  let lobes = Surface.lobes surface in
+  match lobes.refractions with
+  | [] -> write_plain channel lobes
+  | [ refraction ]
+    when Lobes.equal lobes { Lobes.none with refractions = [ refraction ] } ->
+      write_clear channel refraction
+  | _ -> invalid_arg "POV-Ray: a mix with what refracts"
+
+(* Of a solid as a whole: all its primitives are of one index. *)
+let interior surface =
+  match (Surface.lobes surface).refractions with
+  | { index; _ } :: _ -> Printf.sprintf " interior{ior %s}" (number index)
+  | [] -> ""
 
 let matrix (a : Affine.t) =
   Printf.sprintf " matrix<%s>"
@@ -144,10 +166,12 @@ let rec write_solid channel primitives after : int Solid.tree -> unit =
 let write_object channel (o : Object.t) =
   let shadow = if o.is_shadowless then " no_shadow" else "" in
   match o.shape with
-  | Solid { tree; _ } -> write_solid channel o.primitives shadow tree
+  | Solid { tree; _ } ->
+      let after = shadow ^ interior o.surface in
+      write_solid channel o.primitives after tree
   | own ->
       output_string channel (shape own);
-      output_string channel shadow;
+      output_string channel (shadow ^ interior o.surface);
       write_surface channel o.surface
 
 (* POV-Ray counts the primary ray as level 1, as raylab does, and allows at

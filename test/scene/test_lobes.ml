@@ -240,9 +240,10 @@ let test_values () =
     "emission rgb 0 0 0, albedo rgb 0 0 0, mirror rgb 1 0.5 0.25" pp
     { dark with mirror = rgb 1. 0.5 0.25 };
   Expect.prints "glass and highlights"
-    "emission rgb 0 0 0, albedo rgb 0 0 0, mirror 0,\n\
-     highlight of sharpness 20: 0.5, refraction of index 1.5: rgb 1 0.5 0.25,\n\
-     glass of index 1.5: F mirrored, (1 - F) * rgb 1 0.5 0.25 through"
+    "emission rgb 0 0 0, albedo rgb 0 0 0, mirror 0, highlight of sharpness 20:\n\
+     0.5, refraction of index 1.5: rgb 1 0.5 0.25, glass of index 1.5: F \
+     mirrored,\n\
+     (1 - F) * rgb 1 0.5 0.25 through"
     pp
     {
       dark with

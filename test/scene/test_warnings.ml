@@ -40,6 +40,29 @@ let test_each () =
     [ "no object"; "raydepth is 0" ]
     (scene ~ray_depth:0 ~objects:[] ())
 
+let test_glass () =
+  let glass = Surface.glass ~index:1.5 Color.white in
+  let ball = sphere (v 0. 0. 6.) 1. glass
+  and disc surface =
+    Object.make
+      (Raylab_geometry.Shape.disc ~centre:(v 0. 0. 4.) ~normal:(v 0. 0. 1.)
+         ~radius:1.)
+      surface
+  and lamp =
+    Light.spherical ~intensity:1. ~color:Color.white ~position:(v 0. 0. 6.)
+  in
+  check "a ball" [] (scene ~ray_depth:8 ~objects:[ ball ] ());
+  check "a light in it" []
+    (scene ~ray_depth:8 ~lights:[ lamp ] ~objects:[ ball ] ());
+  check "short chains" [ "raydepth is 7" ]
+    (scene ~ray_depth:7 ~objects:[ ball ] ());
+  check "a disc of glass" [ "disc 2 is of glass" ]
+    (scene ~ray_depth:8 ~objects:[ ball; disc glass ] ());
+  check "in a mix too" [ "disc 1 is of glass" ]
+    (scene ~ray_depth:8 ~objects:[ disc (Surface.mixed [ (0.5, glass) ]) ] ());
+  check "a filter" []
+    (scene ~objects:[ disc (Surface.refractive ~index:1. Color.red) ] ())
+
 (* The canvas of 2 x 2 is square, the picture of 2 x 1 pixels is not: it shows
    everything twice as wide as it is. *)
 let test_distortion () =
@@ -54,5 +77,6 @@ let suite =
     [
       Alcotest.test_case "none" `Quick test_none;
       Alcotest.test_case "each" `Quick test_each;
+      Alcotest.test_case "glass" `Quick test_glass;
       Alcotest.test_case "distortion" `Quick test_distortion;
     ] )

@@ -172,23 +172,33 @@ let color number =
   let channel = at_least_0 number in
   map3 Color.make channel channel channel
 
+let index number = oneof [ oneofl [ 1.; 1.33; 1.5; 0.5 ]; positive number ]
+
 let simple_surface number =
   oneof
     [
       map Surface.diffusive (color number);
       pure Surface.reflective;
       map Surface.luminous (color number);
+      map2
+        (fun index c -> Surface.refractive ~index c)
+        (index number) (color number);
+      map2
+        (fun index c -> Surface.glass ~index c)
+        (index number) (color number);
     ]
 
 let surface number =
   let rec at_depth n =
     if n = 0 then simple_surface number
     else
-      let part = pair (at_least_0 number) (at_depth (n - 1)) in
+      let part = pair (at_least_0 number) (at_depth (n - 1))
+      and tinted = pair (color number) (at_depth (n - 1)) in
       frequency
         [
           (2, simple_surface number);
           (1, map Surface.mixed (list_size (1 -- 3) part));
+          (1, map Surface.tinted (list_size (1 -- 3) tinted));
         ]
   in
   at_depth 3

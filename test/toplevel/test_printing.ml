@@ -97,7 +97,7 @@ let explained (e : Explain.t) =
       is_broken_well Printers.hit h.hit
       && is_broken_well Printers.lobes h.lobes
       && List.for_all (is_broken_well Printers.explain_light) h.lights
-  | Missed | Chain_ended -> true
+  | Missed | Chain_ended | Too_faint -> true
 
 let ray_told trace ray =
   is_broken_well Printers.ray ray

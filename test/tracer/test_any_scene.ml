@@ -74,6 +74,18 @@ let nearest_surface (scene : Scene.t) ray =
   in
   fst (List.fold_left nearer (None, infinity) scene.objects)
 
+(* What a refraction mirrors and lets through, where the ray hits it. *)
+let sent_on prepared ray { Lobes.index; plain; fresnel; glass } =
+  let { Hit.point; normal; outside; _ } =
+    Option.get (Tracer.nearest_hit prepared ray)
+  and refraction = Refraction.create () in
+  let spot = Spot.of_point ~point ~normal ~offset:0. in
+  spot.side <- (if outside then 1. else -1.);
+  Refraction.meet refraction spot (Ray.to_raw ray) ~index;
+  let { Refraction.share; _ } = refraction in
+  Color.add plain
+    (Color.add (Color.scale share fresnel) (Color.scale (1. -. share) glass))
+
 (* With one ray and no light the colour is what is emitted and the mirror's part
    of the background. *)
 let lobes =
@@ -88,8 +100,13 @@ let lobes =
         match nearest_surface scene ray with
         | None -> scene.background
         | Some surface ->
-            let { Lobes.emission; mirror; _ } = Surface.lobes surface in
-            Color.add emission (Color.multiply mirror scene.background)
+            let { Lobes.emission; mirror; refractions; _ } =
+              Surface.lobes surface
+            in
+            List.map (sent_on (Prepared.make scene) ray) refractions
+            |> List.fold_left Color.add mirror
+            |> Color.multiply scene.background
+            |> Color.add emission
       in
       Alcotest.equal (Same.color_near 1e-9) expected
         (Tracer.color (Prepared.make scene) ray))

@@ -387,29 +387,102 @@ let hits (scene : Scene.t) objects ray =
   List.concat_map (faces scene ray) objects
   |> List.filter (fun { t; _ } -> 0. < t && t < ray.rho)
 
-let nearest (scene : Scene.t) ray =
+let first faces =
   let nearer best face =
     match best with Some b when b.t <= face.t -> best | _ -> Some face
   in
-  List.fold_left nearer None (hits scene scene.objects ray)
+  List.fold_left nearer None faces
 
+let nearest (scene : Scene.t) ray = first (hits scene scene.objects ray)
 let facing { d; _ } n = if dot d n > 0. then -n else n
 
 (* {1 Surfaces} *)
 
-(* E, A and M. *)
+type refraction = {
+  index : float;
+  plain : Color.t;
+  fresnel : Color.t;
+  glass : Color.t;
+}
+
+type lobes = {
+  e : Color.t;
+  a : Color.t;
+  m : Color.t;
+  refractions : refraction list;
+}
+
+let nothing =
+  { e = Color.black; a = Color.black; m = Color.black; refractions = [] }
+
+let sum_of_refractions r r' =
+  {
+    r with
+    plain = r.plain ++ r'.plain;
+    fresnel = r.fresnel ++ r'.fresnel;
+    glass = r.glass ++ r'.glass;
+  }
+
+let rec join refractions r =
+  match refractions with
+  | [] -> [ r ]
+  | first :: rest when first.index = r.index ->
+      sum_of_refractions first r :: rest
+  | first :: rest -> first :: join rest r
+
+let plus l l' =
+  {
+    e = l.e ++ l'.e;
+    a = l.a ++ l'.a;
+    m = l.m ++ l'.m;
+    refractions = List.fold_left join l.refractions l'.refractions;
+  }
+
+let times k l =
+  let times = Color.multiply k in
+  let of_refraction r =
+    {
+      r with
+      plain = times r.plain;
+      fresnel = times r.fresnel;
+      glass = times r.glass;
+    }
+  in
+  {
+    e = times l.e;
+    a = times l.a;
+    m = times l.m;
+    refractions = List.map of_refraction l.refractions;
+  }
+
 let rec denotes (surface : Surface.t) =
+  let black = Color.black in
   match surface with
-  | Diffusive c -> (Color.black, c, Color.black)
-  | Reflective -> (Color.black, Color.black, Color.white)
-  | Luminous c -> (c, Color.black, Color.black)
-  | Glossy _ | Refractive _ | Glass _ -> invalid_arg "not made here"
+  | Diffusive c -> { nothing with a = c }
+  | Reflective -> { nothing with m = Color.white }
+  | Luminous c -> { nothing with e = c }
+  | Glossy _ -> invalid_arg "not made here"
+  | Refractive { index; color } ->
+      let r = { index; plain = color; fresnel = black; glass = black } in
+      { nothing with refractions = [ r ] }
+  | Glass { index; color } ->
+      let r = { index; plain = black; fresnel = Color.white; glass = color } in
+      { nothing with refractions = [ r ] }
   | Mixed { parts; _ } ->
-      let add (e, a, m) (k, part) =
-        let e', a', m' = denotes part and weighted = Color.multiply k in
-        (e ++ weighted e', a ++ weighted a', m ++ weighted m')
-      in
-      List.fold_left add (Color.black, Color.black, Color.black) parts
+      let add l (k, part) = plus l (times k (denotes part)) in
+      List.fold_left add nothing parts
+
+(* eta, c and c', the cosines before and after; none if the ray is totally
+   reflected. *)
+let snell index d n ~is_outside =
+  let eta = if is_outside then 1. /. index else index and c = -.dot d n in
+  let squared = 1. -. (eta *. eta *. (1. -. (c *. c))) in
+  if squared <= 0. then None else Some (eta, c, sqrt squared)
+
+let fresnel (eta, c, c') =
+  let across = ((eta *. c) -. c') /. ((eta *. c) +. c')
+  and along = (c -. (eta *. c')) /. (c +. (eta *. c')) in
+  ((across *. across) +. (along *. along)) /. 2.
 
 (* {1 Light} *)
 
@@ -429,33 +502,83 @@ let shadow_ray (light : Light.t) a e =
   | Directional along -> { o = a; d = -(along :> Vec3.t); rho = infinity }
   | Spherical s -> { o = a; d = unit (s - a); rho = length (s - a) -. e }
 
+(* What a surface lets through of light that comes along d. *)
+let lets_through surface d n =
+  let add sum r =
+    let f =
+      match snell r.index d n ~is_outside:true with
+      | None -> 1.
+      | Some s -> fresnel s
+    in
+    sum ++ r.plain ++ Color.scale (1. -. f) r.glass
+  in
+  List.fold_left add Color.black (denotes surface).refractions
+
+let rec visible scene objects ray =
+  match first (hits scene objects ray) with
+  | None -> Color.white
+  | Some { t; shape; surface; sign } ->
+      let p = at ray t in
+      let n = facing ray (sign * outward shape p) in
+      let e = offset scene (size shape) p ray in
+      let behind = { ray with o = p - (e * n); rho = ray.rho -. t } in
+      let part = lets_through surface ray.d n in
+      if Color.largest part = 0. then Color.black
+      else Color.multiply part (visible scene objects behind)
+
 let light scene p n e =
   let casting = List.filter (fun (o : Object.t) -> not o.is_shadowless) in
   let objects = casting scene.Scene.objects in
-  let reaches light =
-    hits scene objects (shadow_ray light (p + (e * n)) e) = []
-  in
   let gives light =
-    if reaches light then received light p n else Color.black
+    Color.multiply
+      (visible scene objects (shadow_ray light (p + (e * n)) e))
+      (received light p n)
   in
   List.fold_left ( ++ ) Color.black (List.map gives scene.lights)
 
 (* {1 Tracing} *)
 
-let rec trace (scene : Scene.t) left ray =
-  match if left = 0 then None else nearest scene ray with
+(* What goes on, each with its weight: the mirrored ray and the refracted
+   ones. *)
+let sent_on { m; refractions; _ } p d n e ~is_outside =
+  let leave side d = { o = p + (side *. e * n); d; rho = infinity } in
+  let refraction (m, others) r =
+    match snell r.index d n ~is_outside with
+    | None -> (m ++ r.plain ++ r.fresnel, others)
+    | Some ((eta, c, c') as s) ->
+        let f = fresnel s in
+        let d' = (eta * d) + (((eta *. c) -. c') * n) in
+        let t = r.plain ++ Color.scale (1. -. f) r.glass in
+        (m ++ Color.scale f r.fresnel, (t, leave (-1.) (unit d')) :: others)
+  in
+  let m, others = List.fold_left refraction (m, []) refractions in
+  (m, leave 1. (mirrored d n)) :: List.rev others
+  |> List.filter (fun (weight, _) -> Color.largest weight > 0.)
+
+let shared share weights =
+  let sum = List.fold_left ( +. ) 0. weights in
+  match weights with
+  | [ _ ] -> [ share ]
+  | _ -> List.map (fun w -> share *. w /. Float.max 1. sum) weights
+
+let rec trace ?(share = 1.) (scene : Scene.t) left ray =
+  let is_followed = left > 0 && share >= 1. /. 1024. in
+  match if is_followed then nearest scene ray else None with
   | None -> scene.background
   | Some { t; shape; surface; sign } ->
       let p = at ray t in
-      let n = facing ray (sign * outward shape p)
-      and e = offset scene (size shape) p ray in
-      let emission, albedo, mirror = denotes surface in
-      let reflected =
-        { o = p + (e * n); d = mirrored ray.d n; rho = infinity }
+      let outward = sign * outward shape p in
+      let n = facing ray outward and e = offset scene (size shape) p ray in
+      let is_outside = dot ray.d outward <= 0. and lobes = denotes surface in
+      let sent = sent_on lobes p ray.d n e ~is_outside in
+      let shares =
+        shared share (List.map (fun (w, _) -> Color.largest w) sent)
       in
-      emission
-      ++ Color.multiply albedo (light scene p n e)
-      ++ Color.multiply mirror (trace scene (pred left) reflected)
+      List.fold_left2
+        (fun sum (weight, ray) share ->
+          sum ++ Color.multiply weight (trace ~share scene (pred left) ray))
+        (lobes.e ++ Color.multiply lobes.a (light scene p n e))
+        sent shares
 
 (* {1 Pixels} *)
 

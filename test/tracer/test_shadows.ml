@@ -73,6 +73,44 @@ let test_sun () =
   check "far away" 0. [ sphere (v 0. 3000. (-3996.)) 1. glow ];
   check "behind the point" 0.8 [ sphere (v 0. (-3.) 8.) 1. glow ]
 
+(* Light comes straight down, at right angles through what lies flat above the
+   middle of a floor that the eye's ray meets aslant: each surface of glass
+   takes 4 %. *)
+let test_through () =
+  let open Raylab_geometry in
+  let floor = plane (v 0. 0. 4.) (v 0. 0.6 (-0.8)) white in
+  let slab z surface =
+    (* across the way to the sun, which shines along the normal *)
+    Object.make
+      (Shape.quad
+         ~corner:
+           (Vec3.add (v (-5.) (-4.) (-3.))
+              (Vec3.add (v 0. 0. 4.) (Vec3.scale z (v 0. 0.6 (-0.8)))))
+         ~edge:(v 10. 0. 0.) ~other:(v 0. 8. 6.))
+      surface
+  in
+  let check what expected objects =
+    Alcotest.check (Same.color_near 1e-12) what expected
+      (Shot.centre ~lights:[ Shot.sun 0. (-0.6) 0.8 ] (floor :: objects))
+  in
+  let glass = Surface.glass ~index:1.5 in
+  let clear = Surface.refractive ~index:1.5 and gold = rgb 1. 0.5 0.25 in
+  check "nothing" (grey 1.) [];
+  check "what refracts tints" gold [ slab 20. (clear gold) ];
+  check "glass takes 4 % besides" (rgb 0.96 0.48 0.24)
+    [ slab 20. (glass gold) ];
+  check "one after the other" (rgb 0.96 0.24 0.06)
+    [ slab 20. (glass gold); slab 21. (clear gold) ];
+  check "what is matt besides lets its part through" (rgb 0.5 0.25 0.125)
+    [ slab 20. (Surface.mixed [ (0.5, clear gold); (0.5, white) ]) ];
+  check "what is black lets nothing through" (grey 0.)
+    [ slab 20. (clear Color.black) ];
+  check "what is matt blocks behind glass" (grey 0.)
+    [ slab 20. (glass gold); slab 21. white ];
+  check "and before it" (grey 0.) [ slab 21. (glass gold); slab 20. white ];
+  check "what is shadowless is not met" (grey 1.)
+    [ Object.shadowless (slab 20. (glass gold)) ]
+
 let suite =
   ( "Shadows",
     [
@@ -80,4 +118,5 @@ let suite =
       Alcotest.test_case "what blocks" `Quick test_what_blocks;
       Alcotest.test_case "what does not" `Quick test_what_does_not;
       Alcotest.test_case "directional light" `Quick test_sun;
+      Alcotest.test_case "through glass" `Quick test_through;
     ] )

@@ -56,6 +56,7 @@ let test_sum () =
     let t = Tally.create () in
     t.primary <- a;
     t.reflected <- 10 * a;
+    t.refracted <- 1000 * a;
     t.shadow <- 100 * a;
     t.hits <- 7 * a;
     t.blocked <- 9 * a;
@@ -65,7 +66,9 @@ let test_sum () =
     "each on its own"
     "3 primary, 30 reflected, 300 shadow, 21 hits, 27 blocked"
     (show (Tally.sum [ tally 1; tally 2 ]));
-  Alcotest.(check int) "rays of all kinds" 333 (Tally.rays (tally 3));
+  Alcotest.(check int)
+    "refracted" 3000 (Tally.sum [ tally 1; tally 2 ]).refracted;
+  Alcotest.(check int) "rays of all kinds" 3333 (Tally.rays (tally 3));
   Alcotest.(check int) "nothing" 0 (Tally.rays (Tally.sum []))
 
 let any_scene =
@@ -82,7 +85,7 @@ let any_scene =
       && one.over_exposed <= pixels && one.samples <= one.primary
       && (samples > 1 || one.primary = pixels)
       && one.blocked <= one.shadow
-      && one.hits <= one.primary + one.reflected
+      && one.hits <= one.primary + one.reflected + one.refracted
       && one.shadow <= one.hits * List.length scene.lights
       && show one = show (tally 3))
 

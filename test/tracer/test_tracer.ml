@@ -8,6 +8,7 @@ let () =
       Test_lighting.suite;
       Test_shadows.suite;
       Test_mirrors.suite;
+      Test_glass.suite;
       Test_edge_cases.suite;
       Test_offset.suite;
       Test_acne.suite;
