@@ -66,13 +66,7 @@ let of_path (scene : Scene.t) { Path.hits; _ } =
   and hits = List.map (fun (hit : Path.hit) -> hit.point) hits in
   let range = range scene boxes hits in
   let is_near point = distance eye point <= range in
-  let lights =
-    List.filter_map
-      (fun (light : Light.t) ->
-        match light.source with
-        | Spherical position -> Some position
-        | Directional _ -> None)
-      scene.lights
+  let lights = List.concat_map Light.places scene.lights
   and extents (box : Box3.t) =
     if distance eye (Box3.centre box) +. Box3.reach box <= range then
       [ box.low; box.high ]

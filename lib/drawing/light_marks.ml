@@ -42,6 +42,26 @@ let point_light panel name position =
     let edge = towards_edge panel (x -. mx, y -. my) in
     Sketch.all [ sun edge; label_above edge (name ^ ", farther away") ]
 
+let area panel name pane =
+  let middle = Light_outline.middle pane in
+  let place = Panel.point panel middle in
+  if Panel.shows panel place then
+    Sketch.all
+      [
+        Sketch.busy
+          (Rectangle.around place 10.)
+          (Light_outline.pane look panel pane);
+        label_above place name;
+      ]
+  else point_light panel name middle
+
+let spot panel name (beam : Beam.t) =
+  Sketch.all
+    [
+      Sketch.marks (Light_outline.cone ink panel beam);
+      point_light panel name beam.position;
+    ]
+
 let directional (panel : Panel.t) name (along : Direction.t) =
   let d = (along :> Vec3.t) in
   let dx = Panel.across panel.side d and dy = -.Panel.up panel.side d in
@@ -70,6 +90,8 @@ let draw panel ~shown lights =
     let name = Printf.sprintf "light %d" number in
     match light.source with
     | Spherical position -> point_light panel name position
+    | Spot beam -> spot panel name beam
+    | Area pane -> area panel name pane
     | Directional along ->
         if List.mem number shown then Sketch.all []
         else directional panel name along

@@ -26,9 +26,9 @@ let name ?primitive (o : Object.t) number =
   | Some { index; object_; _ } ->
       pf "%s %d.%d" (Shape.name object_.shape) number index
 
-let shadow_ray number { Explain.number = light; verdict; _ } =
-  match verdict with
-  | Faces_away _ | Lit { shadow_ray = None; _ } -> None
+let rec shadow_rays number light : Explain.verdict -> ray list = function
+  | Faces_away _ | Outside _ | Lit { shadow_ray = None; _ } -> []
+  | Mean { points; _ } -> List.concat_map (shadow_rays number light) points
   | Lit { shadow_ray = Some ray; through; _ } ->
       let length = Ray.reach ray in
       let words =
@@ -36,11 +36,11 @@ let shadow_ray number { Explain.number = light; verdict; _ } =
       in
       let meets = None and light = Some light in
       let tint = Explain.tint through in
-      Some { kind = Lit; number; ray; length; meets; light; tint; words }
+      [ { kind = Lit; number; ray; length; meets; light; tint; words } ]
   | Blocked { shadow_ray = ray; by; blocker; primitive; t = length; _ } ->
       let words = "blocked by " ^ name ?primitive blocker by in
       let meets = Some by and light = Some light and tint = Color.white in
-      Some { kind = Blocked; number; ray; length; meets; light; tint; words }
+      [ { kind = Blocked; number; ray; length; meets; light; tint; words } ]
 
 (* The ray of [e], the [number]th of the chain. *)
 let chain_ray number (e : Explain.t) =
@@ -79,8 +79,10 @@ let rec add film number rays hits = function
         match e.outcome with
         | Missed | Chain_ended | Too_faint -> (rays, hits)
         | Hit h ->
-            let shadow_rays = List.filter_map (shadow_ray number) h.lights in
-            ( List.rev_append shadow_rays rays,
+            let of_light { Explain.number = light; verdict; _ } =
+              shadow_rays number light verdict
+            in
+            ( List.rev_append (List.concat_map of_light h.lights) rays,
               hit h (Film.encode film (Film.expose film e.color)) :: hits )
       in
       add film (number + 1) rays hits (Explain.next e @ others)

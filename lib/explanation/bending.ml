@@ -23,7 +23,7 @@ let is_glass index { Lobes.refractions; _ } =
 
 let of_term e { Explain.hit; lobes; _ } (source : Event.source) =
   match source with
-  | Background | Emitted | Diffused _ | Mirror _ -> None
+  | Background | Emitted | Diffused _ | Shine _ | Mirror _ -> None
   | Refraction { index; cosine; _ } when cosine = 0. ->
       Some
         (pf

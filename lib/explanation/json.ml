@@ -156,7 +156,14 @@ let list name json = function
   | [] -> []
   | some -> [ (name, `List (List.map json some)) ]
 
-let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
+let cone { Event.angle; part } =
+  ("cone", `Assoc [ ("angle", number angle); ("part", number part) ])
+
+let shines = function
+  | [] -> []
+  | all -> [ ("shines", `List (List.map color all)) ]
+
+let rec verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
   | Faces_away { cosine } ->
       [ ("verdict", text "faces away"); ("cosine", number cosine) ]
   | Blocked { shadow_ray = ray; by; blocker; primitive = p; place; t; point }
@@ -168,33 +175,49 @@ let verdict : Explain.verdict -> (string * Yojson.Safe.t) list = function
       ]
       @ primitive p
       @ [ ("t", number t); ("point", vector point) ]
-  | Lit { shadow_ray = ray; cosine; falloff; contribution; past; through } ->
+  | Outside { angle } ->
+      [ ("verdict", text "outside"); ("angle", number angle) ]
+  | Mean { points; contribution; shines = s } ->
+      [
+        ("verdict", text "mean");
+        ("points", `List (List.map (fun p -> `Assoc (verdict p)) points));
+        ("contribution", color contribution);
+      ]
+      @ shines s
+  | Lit
+      {
+        shadow_ray = ray;
+        cosine;
+        falloff;
+        cone = c;
+        contribution;
+        shines = s;
+        past;
+        through;
+      } ->
       [
         ("verdict", text "lit");
         shadow_ray ray;
         ("cosine", number cosine);
         ("falloff", number falloff);
-        ("contribution", color contribution);
       ]
+      @ Option.to_list (Option.map cone c)
+      @ [ ("contribution", color contribution) ]
+      @ shines s
       @ Option.to_list (Option.map passed past)
       @ list "through" crossed through
 
 let light { Explain.number = n; light; place = at; verdict = v } :
     Yojson.Safe.t =
-  let where =
-    match light.source with
-    | Directional along -> ("direction", direction along)
-    | Spherical position -> ("position", vector position)
+  let unfading =
+    if light.is_unfading then [ ("unfading", `Bool true) ] else []
   in
   `Assoc
     ((("number", int n) :: place at)
-    @ [
-        ("kind", text (Light.name light));
-        where;
-        ("intensity", number light.intensity);
-        ("color", color light.color);
-      ]
-    @ verdict v)
+    @ ("kind", text (Light.name light))
+      :: List.map parameter (Light.parameters light)
+    @ [ ("intensity", number light.intensity); ("color", color light.color) ]
+    @ unfading @ verdict v)
 
 let highlight { Lobes.sharpness; shine } : Yojson.Safe.t =
   `Assoc [ ("sharpness", number sharpness); ("color", color shine) ]
@@ -251,7 +274,13 @@ and of_term { Explain.source; color = c; ray } =
   let of_source =
     match source with
     | Background | Emitted -> []
-    | Diffused { light } -> [ ("light", color light) ]
+    | Diffused { ambient; light } ->
+        ("light", color light)
+        ::
+        (if Color.equal ambient Color.black then []
+         else [ ("ambient", color ambient) ])
+    | Shine { sharpness; shine } ->
+        [ ("sharpness", number sharpness); ("shine", color shine) ]
     | Mirror { weight } ->
         [ ("weight", color weight); ("ray", optional of_ray ray) ]
     | Refraction { index; weight; share; cosine } ->

@@ -25,11 +25,16 @@ RAY   = { "origin": VECTOR, "direction": VECTOR,
           "hit": HIT or null,             null unless it is "hit"
           "terms": [TERM, ...] }
 
-TERM  = { "source": "background", "emitted", "diffused", "mirrored" or
-                    "refracted",
+TERM  = { "source": "background", "emitted", "diffused", "shine",
+                    "mirrored" or "refracted",
           "color": COLOR,
           "light": COLOR                  if diffused: the sum of what the
                                           lights contribute
+          "ambient": COLOR                of that, the ambient light, if there
+                                          is some
+          "sharpness": NUMBER,            if shine: of the highlight
+          "shine": COLOR,                 if shine: the sum of what the lights
+                                          give to it
           "index": NUMBER,                if refracted: the index of what is
                                           behind the surface
           "fresnel": NUMBER,              if refracted: of its glass so much
@@ -104,11 +109,22 @@ PART    = what it takes there, in that order, by name:
           "axis" and "angle", "translated" has "way"
 
 LIGHT   = { "number": INT, PLACE,
-            "kind": "directional" or "spherical",
-            "direction": VECTOR           if directional
-            "position": VECTOR            if spherical
+            "kind": WORD, PART: NUMBER or VECTOR, ...
+                                          "directional" has "direction",
+                                          "spherical" has "position", "spot"
+                                          has "position", "target", "inner" and
+                                          "outer", in degrees, "area" has
+                                          "corner", "edge", "other" and
+                                          "count"
             "intensity": NUMBER, "color": COLOR,
-            "verdict": "faces away", "blocked" or "lit",
+            "unfading": true,             if it is
+            VERDICT }
+
+VERDICT = { "verdict": "faces away", "outside", "blocked", "lit" or "mean",
+            "angle": NUMBER               if it is outside of the cone of a
+                                          spot: in degrees from its axis
+            "points": [VERDICT, ...]      if it is an area light, and so the
+                                          mean of what its points give
             "cosine": NUMBER              if it faces away or is lit
             "shadow_ray":                 if blocked or lit
               the origin, direction, reach and seed of a RAY;
@@ -116,7 +132,13 @@ LIGHT   = { "number": INT, PLACE,
                                           would start
             "by": OBJECT, "t": NUMBER, "point": VECTOR    if blocked
             "primitive": PRIMITIVE        if that is by a solid
-            "falloff": NUMBER, "contribution": COLOR      if lit
+            "falloff": NUMBER             if lit
+            "cone": { "angle": NUMBER,    if lit by a spot: the angle from its
+                      "part": NUMBER }    axis, and which part of its light
+                                          goes there
+            "contribution": COLOR         if lit, or a mean
+            "shines": [COLOR, ...]        likewise, if the surface has
+                                          highlights: to each of them
             "past": OBJECT,               if lit: the first object in the
                                           way that is shadowless
             "through": [CROSSED, ...] }   if lit: the surfaces that the light

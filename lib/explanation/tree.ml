@@ -32,20 +32,54 @@ let pp_crossed ppf { Explain.by; object_; primitive; place; part; _ } =
   pf ppf "@ * %a@ through %s" Lobes.pp_factor part
     (Naming.by_number ?primitive by object_ place)
 
-let print_light style ppf indent { Explain.number; light; place; verdict } =
+let pp_cone ppf { Event.angle; part } =
+  pf ppf "@ * cone %a@ (%a degrees from the axis)" Number.pp part Number.pp
+    angle
+
+let sum_of_points points =
+  let add sum : Explain.verdict -> Color.t = function
+    | Lit { contribution; _ } -> Color.add sum contribution
+    | Faces_away _ | Outside _ | Blocked _ | Mean _ -> sum
+  in
+  List.fold_left add Color.black points
+
+(* What it gives to each highlight, if it is not nothing. *)
+let print_shines style ppf indent (h : Explain.surface_hit) shines =
+  let print { Lobes.sharpness; _ } shine =
+    if not (Color.equal shine Color.black) then
+      line ppf (indent + 4) "to the highlight of sharpness %a:@ %a" Number.pp
+        sharpness (color style) shine
+  in
+  List.iter2 print h.lobes.highlights shines
+
+let print_light style ppf indent h { Explain.number; light; place; verdict } =
   let line format =
     line ppf indent
       ("light %d (%s%s):@ " ^^ format)
       number (Light.name light) (Naming.place place)
   in
   match verdict with
-  | Lit { cosine; falloff; contribution; past; through; _ } ->
-      line "lit%a,@ cosine %a@ * fall-off %a@ * intensity %a@ * %a%a@ = %a"
+  | Lit { cosine; falloff; cone; contribution; shines; past; through; _ } ->
+      line "lit%a,@ cosine %a@ * fall-off %a%a@ * intensity %a@ * %a%a@ = %a"
         (Format.pp_print_option pp_past)
-        past Number.pp cosine Number.pp falloff Number.pp light.intensity
-        Color.pp light.color
+        past Number.pp cosine Number.pp falloff
+        (Format.pp_print_option pp_cone)
+        cone Number.pp light.intensity Color.pp light.color
         (Format.pp_print_list ~pp_sep:(fun _ () -> ()) pp_crossed)
-        through (color style) contribution
+        through (color style) contribution;
+      print_shines style ppf indent h shines
+  | Outside { angle } ->
+      line "the surface is outside of the cone,@ %a degrees from the axis"
+        Number.pp angle
+  | Mean { points; contribution; shines } ->
+      let part = Points_seen.make points in
+      if part.seen = 0 then line "%a" text (Points_seen.to_string part)
+      else (
+        line "%a:@ together they give %a,@ divided by %d@ = %a" text
+          (Points_seen.to_string part)
+          Color.pp (sum_of_points points) part.points (color style)
+          contribution;
+        print_shines style ppf indent h shines)
   | Faces_away { cosine } ->
       line "the surface faces away,@ cosine %a" Number.pp cosine
   | Blocked { by; blocker; primitive; place; t; point; _ } ->
@@ -53,12 +87,14 @@ let print_light style ppf indent { Explain.number; light; place; verdict } =
         (Naming.by_number ?primitive by blocker place)
         Number.pp t Vec3.pp point
 
-let print_lights style ppf indent (h : Explain.surface_hit) all =
-  if Color.equal h.lobes.albedo Color.black then
+let print_lights style ppf indent (h : Explain.surface_hit) ~ambient all =
+  let is_dark = Color.equal ambient Color.black in
+  if Color.equal h.lobes.albedo Color.black && h.lobes.highlights = [] then
     line ppf indent "lights do not matter: the albedo is 0"
-  else if h.lights = [] then line ppf indent "there are no lights"
+  else if h.lights = [] && is_dark then line ppf indent "there are no lights"
   else (
-    List.iter (print_light style ppf indent) h.lights;
+    if not is_dark then line ppf indent "ambient light: %a" Color.pp ambient;
+    List.iter (print_light style ppf indent h) h.lights;
     line ppf indent "all light: %a" (color style) all)
 
 (* {1 Rays} *)
@@ -83,6 +119,9 @@ let print_term style ppf indent sign ({ Explain.source; color = c; _ }, next) =
   in
   match (source, next) with
   | Diffused _, _ -> line "@ = albedo * all light"
+  | Shine { sharpness; shine }, _ ->
+      line "@ = highlight of sharpness %a@ * all that shines, %a" Number.pp
+        sharpness Color.pp shine
   | (Mirror { weight } | Refraction { weight; _ }), Some next ->
       line "@ @[<hov 2>= %a@ * colour of ray %d@]" Lobes.pp_factor weight next
   | (Background | Emitted | Mirror _ | Refraction _), _ -> line ""
@@ -117,7 +156,8 @@ let rec print style ppf ~depth ~whence number (e : Explain.t) =
   | Missed -> background "hits nothing"
   | Hit h ->
       print_hit ppf indent e h;
-      print_lights style ppf indent h (Explain.light e);
+      print_lights style ppf indent h ~ambient:(Explain.ambient e)
+        (Explain.light e);
       let term last (term : Explain.term) =
         let print next =
           let whence = Bending.whence e next in

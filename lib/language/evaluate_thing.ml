@@ -106,31 +106,46 @@ let changed frame modifiers placeable =
       let change = Change.of_modifiers modifiers in
       { placeable with Thing.node = Thing.changed change placeable.Thing.node }
 
-let shadowless placeable =
-  { placeable with Thing.node = Thing.shadowless placeable.Thing.node }
+let with_node f placeable =
+  { placeable with Thing.node = f placeable.Thing.node }
 
 let no_shadow span =
   Fault.fail span "a light has no shadow"
     ~advice:"shadowless is for objects: a light has the modifiers that move it"
 
+let no_light span =
+  Fault.fail span "there is no light that could be unfading"
+    ~advice:"unfading is for lights, and for groups with lights in them"
+
+let modified span (what : Syntax.what) thing =
+  match (what, thing) with
+  | Shadowless, Thing.Light _ -> no_shadow span
+  | Shadowless, Object o -> Thing.Object (with_node Thing.shadowless o)
+  | Unfading, Light l -> Light (with_node Thing.unfading l)
+  | Unfading, Object { node; _ } when not (Thing.size node).shines ->
+      no_light span
+  | Unfading, Object o -> Object (with_node Thing.unfading o)
+  | (Shadowless | Unfading | Change _), thing -> thing
+
 let compile block check scope (placed : Syntax.placed) =
   let thing = bare block check scope placed in
-  let modifier ({ change; span } : Syntax.modifier) =
-    Option.map
-      (Evaluate_written.compile check scope span ~default:(Change.Scaled 1.))
-      change
+  let change ({ what; span } : Syntax.modifier) =
+    match what with
+    | Change written ->
+        let default = Change.Scaled 1. in
+        Some (Evaluate_written.compile check scope span ~default written)
+    | Shadowless | Unfading -> None
   in
-  let is_shadowless ({ change; _ } : Syntax.modifier) =
-    Option.is_none change
+  let changes = List.filter_map change placed.modifiers in
+  let modify thing ({ what; span } : Syntax.modifier) =
+    modified span what thing
   in
-  let changes = List.filter_map modifier placed.modifiers
-  and casts_none = List.find_opt is_shadowless placed.modifiers in
   if placed.modifiers = [] then thing
   else fun frame ->
-    match (thing frame, casts_none) with
-    | Thing.Light _, Some { span; _ } -> no_shadow span
-    | Light light, None -> Thing.Light (changed frame changes light)
-    | Object object_, None -> Object (changed frame changes object_)
-    | Object object_, Some _ ->
-        Object (shadowless (changed frame changes object_))
-    | (Surface _ as surface), _ -> surface
+    let thing =
+      match thing frame with
+      | Thing.Light light -> Thing.Light (changed frame changes light)
+      | Object object_ -> Object (changed frame changes object_)
+      | Surface _ as surface -> surface
+    in
+    List.fold_left modify thing placed.modifiers

@@ -61,14 +61,14 @@ let rule whole before after =
   | ("scene" | "scene'"), _, _ ->
       expected "keyword"
         ("a setting of the header (imWidth, imHeight, canvWidth, canvHeight,\n\
-          depth, eye, lookAt, up, fov, bcolor, raydepth), or lights, \
+          depth, eye, lookAt, up, fov, bcolor, ambient, raydepth), or lights, \
           objects, or\n\
           a shape: "
         ^ shapes)
   | "body", [ "LIGHTS"; _ ], _ | "simple_thing", [ "light" ], _ ->
       expected "light"
-        ("a light (directional or spherical), or the objects of the scene:\n\
-          objects, " ^ shapes
+        ("a light (directional, spherical, spot or area), or the objects of the\n\
+          scene: objects, " ^ shapes
         ^ ". Settings stand before the lights")
   | "vector", [ _ ], _ -> expected "number" (vector "y")
   | "vector", _, _ -> expected "number" (vector "z")
@@ -105,8 +105,8 @@ let rule whole before after =
       expected "shape"
         ("the next object (" ^ shapes
         ^ "), or scaled, stretched, rotated,\n\
-           translated or shadowless for the one before. Settings stand before \
-           the\nobjects")
+           translated, shadowless or unfading for the one before. Settings \
+           stand before\nthe objects")
   | "definition", [ "LET" ], _ ->
       expected "name"
         "a name after let: letters, digits and _, and none of let, for, if, \

@@ -72,6 +72,10 @@ let settings : t list =
       "the horizontal angle of view, instead of canvas and depth";
     row "bcolor" BCOLOR "BCOLOR" [ background ] "the colour of the background";
     row "bgcolor" BCOLOR "BCOLOR" [ background ] "the same as bcolor";
+    row "ambient" AMBIENT "AMBIENT"
+      [ ("colour", "the colour of the ambient light after ambient: three \
+                    numbers (red green blue)\nor a name such as grey") ]
+      "light that is the same everywhere";
     row "raydepth" RAYDEPTH "RAYDEPTH"
       [ ("number", "the number of rays in a chain after raydepth, such as 4") ]
       "how many rays are in a chain at most";
@@ -112,6 +116,26 @@ let lights : t list =
         ("number", "the point from which the light shines: three numbers, x y \
                     z") ]
       "light that shines from a point";
+    row "spot" SPOT "SPOT"
+      [ ("number", "the intensity of the light: spot INTENSITY COLOUR POINT \
+                    TARGET INNER OUTER"); color;
+        ("number", "the point from which the light shines: three numbers, x y \
+                    z");
+        ("number", "the target, the point at which the light shines: three \
+                    numbers, x y z");
+        ("number", "the inner angle in degrees, from the axis, within which \
+                    the light is full");
+        ("number", "the outer angle in degrees, from the axis, beyond which \
+                    there is no light") ]
+      "light that shines from a point into a cone";
+    row "area" AREA "AREA"
+      [ ("number", "the intensity of the light: area INTENSITY COLOUR CORNER \
+                    EDGE EDGE N"); color;
+        ("number", "a corner of the lit parallelogram: three numbers, x y z");
+        ("number", "its first edge, from the corner: three numbers, x y z");
+        ("number", "its second edge, from the corner: three numbers, x y z");
+        ("number", "the number of points along each edge, such as 4") ]
+      "light that shines from a parallelogram: soft shadows";
   ]
 [@@ocamlformat "disable"]
 
@@ -226,6 +250,8 @@ let modifiers : t list =
       [ ("number", "the way after translated: three numbers, x y z") ]
       "moved";
     row "shadowless" SHADOWLESS "SHADOWLESS" [] "casts no shadow";
+    row "unfading" UNFADING "UNFADING" []
+      "a light that is as strong far away as near";
   ]
 [@@ocamlformat "disable"]
 

@@ -32,7 +32,8 @@ let setting word loc change =
   Syntax.Setting { word; word_span = span loc; change }
 
 let plain finish loc = { Syntax.finish = Plain finish; span = span loc }
-let modifier change loc = { Syntax.change = Some change; span = span loc }
+let modifier what loc = { Syntax.what; span = span loc }
+let change written loc = modifier (Syntax.Change written) loc
 %}
 
 %token <float> NUMBER "1"
@@ -44,11 +45,12 @@ let modifier change loc = { Syntax.change = Some change; span = span loc }
 %token <char> PART ".x"
 %token IM_WIDTH "imWidth" IM_HEIGHT "imHeight"
 %token CANV_WIDTH "canvWidth" CANV_HEIGHT "canvHeight"
-%token DEPTH "depth" BCOLOR "bcolor" RAYDEPTH "raydepth"
+%token DEPTH "depth" BCOLOR "bcolor" AMBIENT "ambient" RAYDEPTH "raydepth"
 %token EYE "eye" LOOK_AT "lookAt" UP "up" FOV "fov"
 %token SAMPLES "samples" EXPOSURE "exposure" SRGB "srgb"
 %token APERTURE "aperture" FOCUS "focus"
 %token LIGHTS "lights" DIRECTIONAL "directional" SPHERICAL "spherical"
+%token SPOT "spot" AREA "area"
 %token OBJECTS "objects" GROUP "group"
 %token SPHERE "sphere" PLANE "plane" BOX "box" CYLINDER "cylinder" CONE "cone"
 %token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
@@ -58,6 +60,7 @@ let modifier change loc = { Syntax.change = Some change; span = span loc }
 %token MIXED "mixed"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
 %token TRANSLATED "translated" SHADOWLESS "shadowless"
+%token UNFADING "unfading"
 %token LET "let" FOR "for" IF "if" ELSE "else" END "end" TO "to" BY "by"
 %token IN "in" INCLUDE "include"
 %token THEN "then" AND "and" OR "or" NOT "not" TRUE "true" FALSE "false"
@@ -112,6 +115,7 @@ setting:
   | "fov" n = atom { setting "fov" $loc($1) (Settings.fov n) }
   | "raydepth" n = atom { setting "raydepth" $loc($1) (Settings.raydepth n) }
   | "bcolor" c = color { setting "bcolor" $loc($1) (Settings.bcolor c) }
+  | "ambient" c = color { setting "ambient" $loc($1) (Settings.ambient c) }
   | "samples" n = atom { setting "samples" $loc($1) (Settings.samples n) }
   | "exposure" n = atom { setting "exposure" $loc($1) (Settings.exposure n) }
   | "srgb" { setting "srgb" $loc($1) Settings.srgb }
@@ -233,6 +237,12 @@ light:
       { Lamps.directional intensity color direction }
   | "spherical" intensity = atom color = color position = vector
       { Lamps.spherical intensity color position }
+  | "spot" intensity = atom color = color position = vector target = vector
+    inner = atom outer = atom
+      { Lamps.spot intensity color position target inner outer }
+  | "area" intensity = atom color = color corner = vector edge = vector
+    other = vector count = atom
+      { Lamps.area intensity color corner edge other count }
 
 shape:
   | "sphere" centre = vector radius = atom { Shapes.sphere centre radius }
@@ -268,13 +278,14 @@ some_modifiers:
   | modifiers = some_modifiers modifier = modifier { modifier :: modifiers }
 
 modifier:
-  | "scaled" factor = atom { modifier (Modifiers.scaled factor) $loc($1) }
+  | "scaled" factor = atom { change (Modifiers.scaled factor) $loc($1) }
   | "stretched" factors = vector
-      { modifier (Modifiers.stretched factors) $loc($1) }
+      { change (Modifiers.stretched factors) $loc($1) }
   | "rotated" axis = vector angle = atom
-      { modifier (Modifiers.rotated axis angle) $loc($1) }
-  | "translated" way = vector { modifier (Modifiers.translated way) $loc($1) }
-  | "shadowless" { { Syntax.change = None; span = span $loc($1) } }
+      { change (Modifiers.rotated axis angle) $loc($1) }
+  | "translated" way = vector { change (Modifiers.translated way) $loc($1) }
+  | "shadowless" { modifier Syntax.Shadowless $loc($1) }
+  | "unfading" { modifier Syntax.Unfading $loc($1) }
 
 (* {1 Surfaces} *)
 

@@ -138,17 +138,16 @@ let vector { Vec3.x; y; z } =
 let color { Color.r; g; b } =
   String.concat " " [ number r; number g; number b ]
 
-let print_light ppf (light : Light.t) =
-  Format.fprintf ppf "%s %s %s %s" (Light.name light) (number light.intensity)
-    (color light.color)
-    (match light.source with
-    | Directional direction -> vector (direction :> Vec3.t)
-    | Spherical position -> vector position)
-
 let print_number ppf x = Format.pp_print_string ppf (number x)
 
 let print_parameter ppf (_, parameter) =
   Format.fprintf ppf " %a" (Parameter.pp_with print_number) parameter
+
+let print_light ppf (light : Light.t) =
+  Format.fprintf ppf "%s %s %s" (Light.name light) (number light.intensity)
+    (color light.color);
+  List.iter (print_parameter ppf) (Light.parameters light);
+  if light.is_unfading then Format.pp_print_string ppf " unfading"
 
 let print_shape ppf shape =
   Format.pp_print_string ppf (Shape.name shape);
@@ -207,6 +206,8 @@ let print_camera ppf (camera : Camera.t) =
 let print_with comment ppf (scene : Scene.t) =
   print_camera ppf scene.camera;
   Format.fprintf ppf "bcolor %s@\n" (color scene.background);
+  if not (Color.equal scene.ambient Color.black) then
+    Format.fprintf ppf "ambient %s@\n" (color scene.ambient);
   Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
   print_lens ppf scene.lens;
   print_film ppf scene.film;

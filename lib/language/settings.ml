@@ -14,6 +14,7 @@ type t = {
   up : Vec3.t option;
   ray_depth : int option;
   background : Color.t option;
+  ambient : Color.t option;
   film : Film.t;
   aperture : float;
   focus : float option;
@@ -34,6 +35,7 @@ let none =
     up = None;
     ray_depth = None;
     background = None;
+    ambient = None;
     film = Film.default;
     aperture = 0.;
     focus = None;
@@ -64,12 +66,12 @@ let camera s =
   | _ -> None
 
 let scene s ~files ~lights ~objects =
-  let { background; ray_depth; film; aperture; focus; _ } = s in
+  let { background; ambient; ray_depth; film; aperture; focus; _ } = s in
   let lens = Lens.make ?focus aperture in
   match camera s with
   | Some camera ->
-      Scene.make camera ~film ~lens ?background ?ray_depth ~files ~lights
-        ~objects
+      Scene.make camera ~film ~lens ?background ?ambient ?ray_depth ~files
+        ~lights ~objects
   | None -> invalid_arg "Settings.scene: no camera"
 
 (* {1 Words} *)
@@ -108,6 +110,9 @@ let raydepth e =
 
 let bcolor e =
   sets (color "bcolor" e) (fun c s -> { s with background = Some c })
+
+let ambient e =
+  sets (color "ambient" e) (fun c s -> { s with ambient = Some c })
 
 let change_film with_ value s = { s with film = with_ value s.film }
 

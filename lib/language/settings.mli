@@ -17,6 +17,7 @@ type t = private {
   up : Vec3.t option;
   ray_depth : int option;
   background : Color.t option;
+  ambient : Color.t option;
   film : Film.t;
   aperture : float;
   focus : float option;
@@ -58,6 +59,7 @@ val look_at : Expression.t -> change
 val up : Expression.t -> change
 val raydepth : Expression.t -> change
 val bcolor : Expression.t -> change
+val ambient : Expression.t -> change
 val samples : Expression.t -> change
 val exposure : Expression.t -> change
 val srgb : change

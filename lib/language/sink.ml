@@ -19,10 +19,20 @@ let objects sink = List.rev sink.objects
 let nodes sink = List.rev sink.nodes
 
 (* What is around the nodes that are still to be placed. *)
-type around = { change : Change.t; placed : Origin.placed; shadowless : bool }
+type around = {
+  change : Change.t;
+  placed : Origin.placed;
+  shadowless : bool;
+  unfading : bool;
+}
 
 let at_once =
-  { change = Change.identity; placed = At_once; shadowless = false }
+  {
+    change = Change.identity;
+    placed = At_once;
+    shadowless = false;
+    unfading = false;
+  }
 
 let changed around change =
   { around with change = Change.compose around.change change }
@@ -39,8 +49,9 @@ let add_object sink { shadowless; _ } o =
   let o = if shadowless then Object.shadowless o else o in
   sink.objects <- o :: sink.objects
 
-let add_light sink { change; placed; _ } (l : Light.t) =
+let add_light sink { change; placed; unfading; _ } (l : Light.t) =
   let light = Light.transformed change l in
+  let light = if unfading then Light.unfading light else light in
   let light = Light.with_origin (Origin.place placed l.origin) light in
   sink.lights <- light :: sink.lights
 
@@ -58,7 +69,8 @@ let rec tree around : Thing.node -> Object.t Solid.tree = function
       Combined (operation grouping, List.map (tree around) nodes)
   | Changed { change; node; _ } -> tree (changed around change) node
   | Named { named = name; node; _ } -> tree (named around name) node
-  | Lamp _ | Shadowless _ -> invalid_arg "Sink: no part of a solid"
+  | Lamp _ | Shadowless _ | Unfading _ ->
+      invalid_arg "Sink: no part of a solid"
 
 let solid around origin node =
   let origin = Origin.place around.placed origin in
@@ -90,7 +102,9 @@ let rec place sink = function
       | Named { named = name; node; _ } ->
           place sink ((named around name, [ node ]) :: rest)
       | Shadowless { node; _ } ->
-          place sink (({ around with shadowless = true }, [ node ]) :: rest))
+          place sink (({ around with shadowless = true }, [ node ]) :: rest)
+      | Unfading { node; _ } ->
+          place sink (({ around with unfading = true }, [ node ]) :: rest))
 
 (* {1 Into them} *)
 
@@ -110,7 +124,7 @@ let add sink (run : _ Value.run) span (node : Thing.node) =
       sink.nodes <- node :: sink.nodes
   | None, Leaf o -> sink.objects <- o :: sink.objects
   | None, Lamp l -> sink.lights <- l :: sink.lights
-  | None, (Group _ | Changed _ | Named _ | Shadowless _) -> (
+  | None, (Group _ | Changed _ | Named _ | Shadowless _ | Unfading _) -> (
       let { Thing.count; visits; _ } = Thing.size node in
       Budget.steps run.budget span (visits - count);
       try place sink [ (at_once, [ node ]) ]

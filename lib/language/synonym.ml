@@ -10,8 +10,7 @@ let rows =
        colour colored coloured paint painted pigment albedo dull" );
     ( "luminous",
       "emission emissive emit emits emitting emitter emittance glow glows \
-       glowing luminance luminescent self-luminous light-emitting ambient \
-       unlit" );
+       glowing luminance luminescent self-luminous light-emitting unlit" );
     ( "glossy",
       "gloss shiny specular phong highlight highlights polished satin plastic \
        varnished" );
@@ -35,6 +34,11 @@ let rows =
     ( "directional",
       "sun sunlight sunshine distant distant-light parallel parallel-light \
        light light-source directional-light" );
+    ("spot", "spotlight flashlight torch cone-light projector");
+    ("area", "area-light soft-light softbox rect-light rectangular-light");
+    ( "ambient",
+      "ambient-light ambience fill fill-light global-ambient indirect" );
+    ("unfading", "no-falloff unattenuated no-attenuation non-fading");
     ("lights", "light lamp lamps lighting sun light-source light-sources");
     ("objects", "object shapes things geometry primitives world");
     ( "bcolor",

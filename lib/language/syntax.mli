@@ -20,10 +20,8 @@ and weight =
   | Factor of Expression.t
   | Tint of Expression.t  (** a colour, in square brackets *)
 
-type modifier = {
-  change : Change.modifier Written.t option;  (** [None]: shadowless *)
-  span : Span.t;  (** of its first word *)
-}
+type what = Change of Change.modifier Written.t | Shadowless | Unfading
+type modifier = { what : what; span : Span.t  (** of its first word *) }
 
 type item =
   | Ready_object of Object.t

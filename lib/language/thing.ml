@@ -19,8 +19,16 @@ and node =
   | Changed of { change : Change.t; node : node; size : size }
   | Named of { named : named; node : node; size : size }
   | Shadowless of { node : node; size : size }
+  | Unfading of { node : node; size : size }
 
-and size = { count : int; visits : int; depth : int; unfit : unfit option }
+and size = {
+  count : int;
+  visits : int;
+  depth : int;
+  shines : bool;
+  unfit : unfit option;
+}
+
 and unfit = { what : string; why : string; advice : string }
 and named = { name : string; at : int; within : Trail.t }
 
@@ -67,19 +75,23 @@ let unfit = function
   | Group { size; _ }
   | Changed { size; _ }
   | Named { size; _ }
-  | Shadowless { size; _ } ->
+  | Shadowless { size; _ }
+  | Unfading { size; _ } ->
       size.unfit
 
 (* {1 Sizes} *)
 
-let one = { count = 1; visits = 1; depth = 0; unfit = None }
+let one = { count = 1; visits = 1; depth = 0; shines = false; unfit = None }
+let one_light = { one with shines = true }
 
 let size = function
-  | Leaf _ | Lamp _ -> one
+  | Leaf _ -> one
+  | Lamp _ -> one_light
   | Group { size; _ }
   | Changed { size; _ }
   | Named { size; _ }
-  | Shadowless { size; _ } ->
+  | Shadowless { size; _ }
+  | Unfading { size; _ } ->
       size
 
 (* Groups of groups double what they have, also if that is nothing. *)
@@ -95,7 +107,9 @@ let lamp l = Lamp l
 
 let again (within : Trail.t) node =
   match (within, node) with
-  | Start, _ | _, (Group _ | Changed _ | Named _ | Shadowless _) -> node
+  | Start, _ | _, (Group _ | Changed _ | Named _ | Shadowless _ | Unfading _)
+    ->
+      node
   | _, Leaf o -> Leaf (Object.with_origin (Origin.again within o.origin) o)
   | _, Lamp l -> Lamp (Light.with_origin (Origin.again within l.origin) l)
 
@@ -107,10 +121,12 @@ let group ~origin grouping nodes =
       count = total.count + size.count;
       visits = visits total.visits size.visits;
       depth = Int.max total.depth (size.depth + 1);
+      shines = total.shines || size.shines;
     }
   in
   let empty =
-    { count = 0; visits = 1; depth = 1; unfit = List.find_map unfit nodes }
+    let unfit = List.find_map unfit nodes in
+    { count = 0; visits = 1; depth = 1; shines = false; unfit }
   in
   let size = List.fold_left add empty nodes in
   Group { grouping; origin; nodes; size }
@@ -120,6 +136,8 @@ let named named node = Named { named; node; size = around node }
 
 let shadowless node =
   Shadowless { node; size = { (around node) with unfit = Some casts_none } }
+
+let unfading node = Unfading { node; size = around node }
 
 let describe = function
   | Surface _ -> "a surface"

@@ -33,11 +33,13 @@ and node = private
   | Named of { named : named; node : node; size : size }
       (** placed by its name *)
   | Shadowless of { node : node; size : size }
+  | Unfading of { node : node; size : size }
 
 and size = {
   count : int;  (** lights and objects *)
   visits : int;  (** nodes, at most a billion: what it takes to place it *)
   depth : int;  (** how deep groupings nest *)
+  shines : bool;  (** whether there is a light among them *)
   unfit : unfit option;  (** {!val-unfit} of a node that is more than one *)
 }
 
@@ -78,6 +80,9 @@ val named : named -> node -> node
 
 val shadowless : node -> node
 (** [shadowless node] is [node], which shadow rays do not meet. *)
+
+val unfading : node -> node
+(** [unfading node] is [node], whose lights do not fall off. *)
 
 val size : node -> size
 (** [size node] is how large it is, in constant time. *)

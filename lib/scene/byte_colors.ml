@@ -37,13 +37,12 @@ let of_objects objects =
   in
   List.rev (snd (List.fold_left add_object (1, []) objects))
 
-let of_background color =
-  if looks_so color then
-    [ { name = "the background"; color; origin = Unknown } ]
-  else []
+let of_setting name color =
+  if looks_so color then [ { name; color; origin = Unknown } ] else []
 
-let warnings ~background lights objects =
-  of_background background
+let warnings ~background ~ambient lights objects =
+  of_setting "the background" background
+  @ of_setting "the ambient light" ambient
   @ List.filter_map Fun.id (List.mapi of_light lights)
   @ of_objects objects
   |> Warning.few "colour" sentence

@@ -13,10 +13,12 @@ let side camera (o : Object.t) point =
   else if depth < -.margin then Outside
   else Between
 
+(* Of an area light a part may be inside. *)
 let light_side camera o (light : Light.t) =
   match light.source with
-  | Spherical position -> side camera o position
+  | Spherical position | Spot { position; _ } -> side camera o position
   | Directional _ -> Outside
+  | Area _ -> Between
 
 type kept = {
   number : int;

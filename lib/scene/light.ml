@@ -1,123 +1,86 @@
 open Raylab_geometry
 
-type source = Directional of Direction.t | Spherical of Vec3.t
+type source =
+  | Directional of Direction.t
+  | Spherical of Vec3.t
+  | Spot of Beam.t
+  | Area of Pane.t
 
 type t = {
   source : source;
   intensity : float;
   color : Color.t;
   power : Color.t; (* intensity * color *)
+  is_unfading : bool;
   origin : Origin.t;
 }
+
+let power intensity color = Saturate.color (Color.scale intensity color)
 
 let make ~intensity ~color source =
   Number.require Non_negative "an intensity" intensity;
   Color.require "a light's colour" color;
-  let power = Saturate.color (Color.scale intensity color) in
-  { source; intensity; color; power; origin = Unknown }
+  let power = power intensity color in
+  { source; intensity; color; power; is_unfading = false; origin = Unknown }
 
 let directional ~intensity ~color ~direction =
   make ~intensity ~color (Directional (Direction.of_vec3_exn direction))
 
-let spherical ~intensity ~color ~position =
+let spherical_at position =
   if not (Vec3.is_finite position) then
     invalid_arg "a light's position must be finite";
-  make ~intensity ~color (Spherical position)
+  Spherical position
+
+let spherical ~intensity ~color ~position =
+  make ~intensity ~color (spherical_at position)
+
+let spot ~intensity ~color beam = make ~intensity ~color (Spot beam)
+let area ~intensity ~color pane = make ~intensity ~color (Area pane)
+let unfading light = { light with is_unfading = true }
 
 (* A direction goes where the way between two points would. *)
 let transformed change light =
-  let point, vector =
+  let point, direction, vector =
     match Change.similarity change with
-    | Some s -> Similarity.(point s, direction s)
+    | Some s ->
+        let direction = Similarity.direction s in
+        let vector v = Vec3.scale (Similarity.factor s) (direction v) in
+        (Similarity.point s, direction, vector)
     | None ->
         let affine = Change.affine change in
-        Affine.(point affine, vector affine)
+        Affine.(point affine, vector affine, vector affine)
   in
+  let source =
+    match light.source with
+    | Directional along ->
+        let along = direction (along :> Vec3.t) in
+        Directional (Direction.of_vec3_exn along)
+    | Spherical position -> spherical_at (point position)
+    | Spot { position; target; inner; outer; _ } ->
+        let position = point position and target = point target in
+        Spot (Beam.make_exn ~position ~target ~inner ~outer)
+    | Area pane -> Area (Pane.transformed ~point ~vector pane)
+  in
+  { light with source }
+
+(* {1 Where it shines from} *)
+
+let points light =
   match light.source with
-  | Directional direction ->
-      let direction = vector (direction :> Vec3.t) in
-      { light with source = Directional (Direction.of_vec3_exn direction) }
-  | Spherical position ->
-      let position = point position in
-      if not (Vec3.is_finite position) then
-        invalid_arg "a light's position must be finite";
-      { light with source = Spherical position }
+  | Directional _ | Spherical _ | Spot _ -> 1
+  | Area pane -> Pane.points pane
 
-(* {1 What reaches a point} *)
-
-type incidence = { mutable cosine : float; mutable falloff : float }
-
-let create_incidence () = { cosine = 0.; falloff = 0. }
-
-(* A light whose distance cannot be squared gives nothing. The limit of the
-   offset sees to it that the way of the shadow ray can be squared as well. *)
-let[@inline] is_within_squares squared (spot : Spot.t) =
-  squared > 0. && squared < Offset.farthest && spot.offset < 0x1p500
-
-let[@inline] meet light (spot : Spot.t) incidence =
+let places light =
   match light.source with
-  | Directional along ->
-      let { Vec3.x; y; z } = (along :> Vec3.t) in
-      let cosine = (spot.nx *. -.x) +. (spot.ny *. -.y) +. (spot.nz *. -.z) in
-      incidence.cosine <- cosine;
-      incidence.falloff <- 1.;
-      cosine > 0.
-  | Spherical { x; y; z } ->
-      let wx = x -. spot.x and wy = y -. spot.y and wz = z -. spot.z in
-      let facing = (spot.nx *. wx) +. (spot.ny *. wy) +. (spot.nz *. wz)
-      and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
-      if is_within_squares squared spot then (
-        let cosine = facing /. sqrt squared in
-        incidence.cosine <- cosine;
-        incidence.falloff <- Saturate.limit (1. /. squared);
-        cosine > 0.)
-      else (
-        incidence.cosine <- 0.;
-        incidence.falloff <- 0.;
-        false)
-
-(* cosine * falloff * intensity * colour *)
-let[@inline] add light { cosine; falloff } (sum : Raw_color.t) =
-  let k = Saturate.limit (cosine *. falloff)
-  and { Color.r; g; b } = light.power in
-  Raw_color.set sum
-    (sum.r +. Saturate.limit (k *. r))
-    (sum.g +. Saturate.limit (k *. g))
-    (sum.b +. Saturate.limit (k *. b))
-
-let received light ~point ~normal =
-  let incidence = create_incidence () and sum = Raw_color.create () in
-  if meet light (Spot.of_point ~point ~normal ~offset:0.) incidence then
-    add light incidence sum;
-  Raw_color.to_color sum
-
-(* {1 Shadows} *)
-
-let[@inline] aim light (spot : Spot.t) (ray : Raw_ray.t) =
-  match light.source with
-  | Directional along ->
-      let { Vec3.x; y; z } = (along :> Vec3.t) in
-      Raw_ray.set_direction ray (-.x) (-.y) (-.z);
-      ray.reach <- infinity;
-      true
-  | Spherical { x; y; z } ->
-      let vx = x -. ray.ox and vy = y -. ray.oy and vz = z -. ray.oz in
-      let way = sqrt ((vx *. vx) +. (vy *. vy) +. (vz *. vz)) in
-      let scale = 1. /. way in
-      Raw_ray.set_direction ray (vx *. scale) (vy *. scale) (vz *. scale);
-      ray.reach <- way -. spot.offset;
-      way > 0. && way < infinity
-
-let shadow_ray light ~point ~normal ~offset =
-  let ray = Raw_ray.create ()
-  and spot = Spot.of_point ~point ~normal ~offset in
-  Spot.start spot ray;
-  if aim light spot ray then Some (Ray.of_raw ray) else None
+  | Directional _ -> []
+  | Spherical position | Spot { position; _ } -> [ position ]
+  | Area pane -> Pane.corners pane
 
 let fan light =
   match light.source with
   | Directional along -> Some (Fan.Along along)
-  | Spherical position -> Some (Fan.Point position)
+  | Spherical position | Spot { position; _ } -> Some (Fan.Point position)
+  | Area _ -> None
 
 (* {1 Forms} *)
 
@@ -125,27 +88,59 @@ let name light =
   match light.source with
   | Directional _ -> "directional"
   | Spherical _ -> "spherical"
+  | Spot _ -> "spot"
+  | Area _ -> "area"
+
+let parameters light =
+  let vector name v = (name, Parameter.of_vec3 v)
+  and number name x = (name, Parameter.Number x) in
+  match light.source with
+  | Directional along -> [ vector "direction" (along :> Vec3.t) ]
+  | Spherical position -> [ vector "position" position ]
+  | Spot { position; target; inner; outer; _ } ->
+      [
+        vector "position" position;
+        vector "target" target;
+        number "inner" inner;
+        number "outer" outer;
+      ]
+  | Area { corner; edge; other; count } ->
+      [
+        vector "corner" corner;
+        vector "edge" edge;
+        vector "other" other;
+        number "count" (float_of_int count);
+      ]
 
 let with_origin origin light = { light with origin }
 
-let map_color f { source; intensity; color; origin; _ } =
-  with_origin origin (make ~intensity ~color:(f color) source)
+let map_color f ({ intensity; color; _ } as light) =
+  let color = f color in
+  Color.require "a light's colour" color;
+  { light with color; power = power intensity color }
 
 let equal_source a b =
   match (a, b) with
   | Directional a, Directional b -> Vec3.equal (a :> Vec3.t) (b :> Vec3.t)
   | Spherical a, Spherical b -> Vec3.equal a b
-  | (Directional _ | Spherical _), _ -> false
+  | Spot a, Spot b -> Beam.equal a b
+  | Area a, Area b -> Pane.equal a b
+  | (Directional _ | Spherical _ | Spot _ | Area _), _ -> false
 
 let equal a b =
   equal_source a.source b.source
   && a.intensity = b.intensity
   && Color.equal a.color b.color
+  && a.is_unfading = b.is_unfading
+
+let pp_parameter ppf (name, parameter) =
+  match (parameter : Parameter.t) with
+  | Number x -> Format.fprintf ppf ", %s %a" name Number.pp x
+  | Triple (x, y, z) ->
+      Format.fprintf ppf ", %s %a" name Vec3.pp (Vec3.make x y z)
 
 let pp ppf light =
-  let place ppf = function
-    | Directional along -> Format.fprintf ppf "direction %a" Direction.pp along
-    | Spherical position -> Format.fprintf ppf "position %a" Vec3.pp position
-  in
-  Format.fprintf ppf "%s light, intensity %a, %a, %a" (name light) Number.pp
-    light.intensity Color.pp light.color place light.source
+  Format.fprintf ppf "%s light, intensity %a, %a" (name light) Number.pp
+    light.intensity Color.pp light.color;
+  List.iter (pp_parameter ppf) (parameters light);
+  if light.is_unfading then Format.pp_print_string ppf ", unfading"

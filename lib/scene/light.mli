@@ -1,16 +1,21 @@
-(** Lights. *)
+(** Lights, as data. What they give to a point is told by {!Incidence}. *)
 
 open Raylab_geometry
 
 type source =
   | Directional of Direction.t  (** travels along this direction everywhere *)
   | Spherical of Vec3.t  (** shines from this point to all sides *)
+  | Spot of Beam.t  (** shines from a point, but only into a cone *)
+  | Area of Pane.t
+      (** shines from all of a parallelogram, to all sides; of that, from one
+          point of each of its cells *)
 
 type t = private {
   source : source;
   intensity : float;
   color : Color.t;
   power : Color.t;  (** [intensity * color], at most [max_float] *)
+  is_unfading : bool;  (** whether it is as strong far away as near *)
   origin : Origin.t;
 }
 (** The type for lights. *)
@@ -34,61 +39,36 @@ val spherical : intensity:float -> color:Color.t -> position:Vec3.t -> t
     1e154, where only an intensity of more than 1e304 could be seen, and within
     about 1e-162, as if the light were at the point itself. *)
 
+val spot : intensity:float -> color:Color.t -> Beam.t -> t
+(** [spot ~intensity ~color beam] is light that shines from the position of
+    [beam] as a spherical one does, but only into its cone. *)
+
+val area : intensity:float -> color:Color.t -> Pane.t -> t
+(** [area ~intensity ~color pane] is light that shines from [pane]: the mean of
+    spherical lights, each of [intensity], at its points. *)
+
+val unfading : t -> t
+(** [unfading light] is [light] without its fall-off with the distance: it
+    gives everywhere what it would give at the distance 1. One that is
+    directional never falls off. *)
+
 val transformed : Change.t -> t -> t
 (** [transformed change light] is [light] as [change] puts it; its intensity
-    stays. A direction goes where the way from one point to another would:
-    light that goes through two points goes through both afterwards.
+    and angles stay. A direction goes where the way from one point to another
+    would: light that goes through two points goes through both afterwards.
 
-    Raises [Invalid_argument] if its position is no longer finite, or its
-    direction none. *)
+    Raises [Invalid_argument] if a point is no longer finite, a direction none,
+    or the position of a spot that of its target. *)
 
-(** {1 What reaches a point} *)
+(** {1 Where it shines from} *)
 
-val received : t -> point:Vec3.t -> normal:Direction.t -> Color.t
-(** [received light ~point ~normal] is what a surface through [point] receives
-    on the side of [normal] if nothing is in the way:
-    [max 0 cosine * falloff * intensity * color], at most [max_float]. [cosine]
-    is that of the angle between [normal] and the way to the light, [falloff] 1
-    over the squared distance of a point light, and 1 of a directional one. *)
+val points : t -> int
+(** [points light] is from how many points it shines: those of its pane if it
+    is an area light, else 1. *)
 
-type incidence = {
-  mutable cosine : float;
-      (** of the angle between the normal and the way to the light; not
-          positive where the surface faces away *)
-  mutable falloff : float;
-      (** 1 over the squared distance for a point light, 1 for a directional
-          one *)
-}
-(** The type for registers of how light meets a surface. *)
-
-val create_incidence : unit -> incidence
-(** [create_incidence ()] is a new register. *)
-
-val meet : t -> Spot.t -> incidence -> bool
-(** [meet light spot incidence] puts into [incidence] how [light] meets the
-    surface at [spot], and is whether the surface faces it: whether the cosine
-    is positive. Both numbers are 0 where the square of the distance to the
-    light is no double. *)
-
-val add : t -> incidence -> Raw_color.t -> unit
-(** [add light incidence sum] adds what [light] gives there to [sum], of a
-    surface that faces it. *)
-
-(** {1 Shadows} *)
-
-val shadow_ray :
-  t -> point:Vec3.t -> normal:Direction.t -> offset:float -> Ray.t option
-(** [shadow_ray light ~point ~normal ~offset] is the ray that asks whether
-    [point] sees [light]. It starts [offset] from [point] along [normal]; for a
-    spherical light it ends [offset] before the light, so that a light that
-    lies on a surface is not in that surface's shadow. [None] if the light is
-    where the ray would start, or so far away that the square of the distance
-    is no double. *)
-
-val aim : t -> Spot.t -> Raw_ray.t -> bool
-(** [aim light spot ray] makes [ray], which is at the
-    {!Raylab_geometry.Spot.start} of [spot], the shadow ray to [light] and is
-    true; false if there is none. *)
+val places : t -> Vec3.t list
+(** [places light] is where it is: its position, or the corners of its pane;
+    nowhere if it is directional. *)
 
 val fan : t -> Fan.source option
 (** [fan light] is what all shadow rays to [light] have in common, if that is
@@ -97,8 +77,11 @@ val fan : t -> Fan.source option
 (** {1 Forms} *)
 
 val name : t -> string
-(** [name light] is the scene language's word: ["directional"] or
-    ["spherical"]. *)
+(** [name light] is the scene language's word, such as ["spherical"]. *)
+
+val parameters : t -> (string * Parameter.t) list
+(** [parameters light] is what is written after intensity and colour, in that
+    order, each with its name. *)
 
 val with_origin : Origin.t -> t -> t
 (** [with_origin origin light] is [light] with this origin, which at first is
@@ -116,4 +99,4 @@ val equal : t -> t -> bool
 val pp : Format.formatter -> t -> unit
 (** [pp] prints
     [directional light, intensity 1, rgb 1 1 1, direction (0, -1, 0)] or
-    [spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0)]. *)
+    [spherical light, intensity 1, rgb 1 1 1, position (0, 5, 0), unfading]. *)

@@ -11,5 +11,8 @@ val set : t -> float -> float -> float -> unit
 (** [set color r g b] puts a colour into [color], each channel limited as
     {!Saturate.limit} does. *)
 
+val mean : t -> int -> unit
+(** [mean sum count] divides each channel of [sum] by [count]. *)
+
 val to_color : t -> Color.t
 (** [to_color color] is what [color] holds. *)

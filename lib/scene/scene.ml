@@ -5,6 +5,7 @@ type t = {
   lens : Lens.t;
   film : Film.t;
   background : Color.t;
+  ambient : Color.t;
   ray_depth : int;
   lights : Light.t list;
   objects : Object.t list;
@@ -14,6 +15,7 @@ type t = {
 let default_ray_depth = 4
 let max_ray_depth = 1_000_000
 let require_background = Color.require "the background"
+let require_ambient = Color.require "the ambient light"
 
 let require_ray_depth ray_depth =
   if ray_depth < 0 || ray_depth > max_ray_depth then
@@ -22,11 +24,23 @@ let require_ray_depth ray_depth =
          max_ray_depth ray_depth)
 
 let make ?(lens = Lens.pinhole) ?(film = Film.default)
-    ?(background = Color.black) ?(ray_depth = default_ray_depth) ?(lights = [])
-    ?(objects = []) ?(files = Files.none) camera =
+    ?(background = Color.black) ?(ambient = Color.black)
+    ?(ray_depth = default_ray_depth) ?(lights = []) ?(objects = [])
+    ?(files = Files.none) camera =
   require_background background;
+  require_ambient ambient;
   require_ray_depth ray_depth;
-  { camera; lens; film; background; ray_depth; lights; objects; files }
+  {
+    camera;
+    lens;
+    film;
+    background;
+    ambient;
+    ray_depth;
+    lights;
+    objects;
+    files;
+  }
 
 let provenance scene = Provenance.make scene.files
 let with_camera camera scene = { scene with camera }
@@ -36,6 +50,10 @@ let with_film film scene = { scene with film }
 let with_background background scene =
   require_background background;
   { scene with background }
+
+let with_ambient ambient scene =
+  require_ambient ambient;
+  { scene with ambient }
 
 let with_ray_depth ray_depth scene =
   require_ray_depth ray_depth;
@@ -51,6 +69,7 @@ let greyscale scene =
   {
     scene with
     background = grey scene.background;
+    ambient = grey scene.ambient;
     lights = List.map (Light.map_color grey) scene.lights;
     objects = List.map grey_object scene.objects;
   }
@@ -70,7 +89,10 @@ let findings scene =
         "there is no object: the picture is all background" );
       ( (fun () -> scene.ray_depth = 0),
         "raydepth is 0: the picture is all background" );
-      ( (fun () -> scene.lights = [] && some_surface needs_light),
+      ( (fun () ->
+          scene.lights = []
+          && Color.equal scene.ambient Color.black
+          && some_surface needs_light),
         "there is no light: diffusive surfaces are black" );
       ( (fun () -> scene.ray_depth = 1 && some_surface mirrors),
         "raydepth is 1: mirrors show nothing but the background" );
@@ -79,8 +101,8 @@ let findings scene =
          samples 64 or so" );
     ]
   @ Proportions.warnings scene.camera
-  @ Byte_colors.warnings ~background:scene.background scene.lights
-      scene.objects
+  @ Byte_colors.warnings ~background:scene.background ~ambient:scene.ambient
+      scene.lights scene.objects
   @ Glasses.warnings ~ray_depth:scene.ray_depth scene.objects
   @ Kept_in.warnings scene.camera scene.lights scene.objects
   @ Twins.warnings scene.objects
@@ -92,6 +114,7 @@ let equal a b =
   Camera.equal a.camera b.camera
   && Lens.equal a.lens b.lens && Film.equal a.film b.film
   && Color.equal a.background b.background
+  && Color.equal a.ambient b.ambient
   && a.ray_depth = b.ray_depth
   && List.equal Light.equal a.lights b.lights
   && List.equal Object.equal a.objects b.objects
@@ -106,6 +129,8 @@ let pp ppf scene =
     Format.fprintf ppf "@,%a" Film.pp scene.film;
   Format.fprintf ppf "@,background %a, ray depth %d" Color.pp scene.background
     scene.ray_depth;
+  if not (Color.equal scene.ambient Color.black) then
+    Format.fprintf ppf "@,ambient light %a" Color.pp scene.ambient;
   List.iteri
     (fun i light -> Format.fprintf ppf "@,light %d: %a" (i + 1) Light.pp light)
     scene.lights;

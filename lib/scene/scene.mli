@@ -8,6 +8,7 @@ type t = private {
   lens : Lens.t;
   film : Film.t;
   background : Color.t;
+  ambient : Color.t;  (** the light that is everywhere *)
   ray_depth : int;
       (** rays in a chain at most, the primary ray included; at least 0 *)
   lights : Light.t list;
@@ -21,6 +22,7 @@ val make :
   ?lens:Lens.t ->
   ?film:Film.t ->
   ?background:Color.t ->
+  ?ambient:Color.t ->
   ?ray_depth:int ->
   ?lights:Light.t list ->
   ?objects:Object.t list ->
@@ -29,12 +31,12 @@ val make :
   t
 (** [make camera] is the scene seen by [camera]. [lens] defaults to
     {!Lens.pinhole}, [film] to {!Film.default}, [background] to {!Color.black},
-    [ray_depth] to {!default_ray_depth}, [lights], [objects] and [files] to
-    none.
+    [ambient], too, [ray_depth] to {!default_ray_depth}, [lights], [objects]
+    and [files] to none.
 
     Raises [Invalid_argument] if [ray_depth] is negative or greater than
-    {!max_ray_depth}, or a channel of [background] is negative or not finite.
-*)
+    {!max_ray_depth}, or a channel of [background] or [ambient] is negative or
+    not finite. *)
 
 val default_ray_depth : int
 (** [default_ray_depth] is 4, as in the original. *)
@@ -58,6 +60,9 @@ val with_film : Film.t -> t -> t
 
 val with_background : Color.t -> t -> t
 (** [with_background color scene] is [scene] before this background. *)
+
+val with_ambient : Color.t -> t -> t
+(** [with_ambient color scene] is [scene] with this ambient light. *)
 
 val with_ray_depth : int -> t -> t
 (** [with_ray_depth n scene] is [scene] with at most [n] rays in a chain. *)

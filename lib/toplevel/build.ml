@@ -40,6 +40,13 @@ let directional intensity color direction =
 let spherical intensity color position =
   Light.spherical ~intensity ~color ~position
 
+let spot intensity color position target inner outer =
+  Light.spot ~intensity ~color (Beam.make_exn ~position ~target ~inner ~outer)
+
+let area intensity color corner edge other count =
+  Light.area ~intensity ~color (Pane.make ~corner ~edge ~other ~count)
+
+let unfading = Light.unfading
 let diffusive = Surface.diffusive
 let reflective = Surface.reflective
 let luminous = Surface.luminous

@@ -73,6 +73,18 @@ val directional : float -> Color.t -> Vec3.t -> Light.t
 val spherical : float -> Color.t -> Vec3.t -> Light.t
 (** [spherical intensity color position] is a light bulb at [position]. *)
 
+val spot : float -> Color.t -> Vec3.t -> Vec3.t -> float -> float -> Light.t
+(** [spot intensity color position target inner outer] is a light at [position]
+    that shines at [target], fully up to [inner] degrees from that way, and not
+    beyond [outer]. *)
+
+val area : float -> Color.t -> Vec3.t -> Vec3.t -> Vec3.t -> int -> Light.t
+(** [area intensity color corner edge other n] is the parallelogram with this
+    corner and these edges, which shines from [n] x [n] points. *)
+
+val unfading : Light.t -> Light.t
+(** [unfading light] is [light], as strong far away as near. *)
+
 (** {1 Surfaces} *)
 
 val diffusive : Color.t -> Surface.t

@@ -80,6 +80,12 @@ let verdict_in_box ppf : Explain.verdict -> unit = function
   | Blocked { by; t; point; _ } ->
       Format.fprintf ppf "blocked by object %d,@ t = %a@ at %a" by Number.pp t
         vec3 point
+  | Outside { angle } ->
+      Format.fprintf ppf "outside of its cone,@ %a degrees from the axis"
+        Number.pp angle
+  | Mean { points; contribution; _ } ->
+      Format.fprintf ppf "the mean of %d points,@ gives %a"
+        (List.length points) color contribution
   | Lit { cosine; falloff; contribution; through; _ } ->
       Format.fprintf ppf "lit,@ cosine %a,@ fall-off %a," Number.pp cosine
         Number.pp falloff;

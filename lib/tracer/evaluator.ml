@@ -47,31 +47,46 @@ let find t =
 
 (* {1 Rays} *)
 
-(* Puts the light that a surface with the lobes at [at] returns into [color]. *)
-let diffuse t lobes at =
+(* Puts the light that a surface with the core at [at] returns to all sides into
+   [color], and what shines in its highlights into its register. *)
+let diffuse t core at (highlights : Raw_parts.t) =
   let at = at + Raw_lobes.albedo in
-  let r = lobes.%(at) and g = lobes.%(at + 1) and b = lobes.%(at + 2) in
+  let r = core.%(at) and g = core.%(at + 1) and b = core.%(at + 2) in
   let light = t.light in
-  if r > 0. || g > 0. || b > 0. then Lighting.gather t
+  if r > 0. || g > 0. || b > 0. || highlights.count > 0 then
+    Lighting.gather t highlights
   else Raw_color.set light 0. 0. 0.;
   Raw_color.set t.color (r *. light.r) (g *. light.g) (b *. light.b)
 
+(* Where neither albedo nor highlights ask for light it is black. *)
+let diffused t light : Event.source =
+  let ambient =
+    if Color.equal light Color.black then light else t.prepared.scene.ambient
+  in
+  Diffused { ambient; light }
+
 (* The terms of what needs no ray, whose colours are in the registers. *)
-let direct_terms t core : Event.term list =
+let direct_terms t { Raw_lobes.core; highlights; _ } : Event.term list =
   match t.observe with
   | None -> []
   | Some _ ->
       let emitted at = core.(Raw_lobes.emission + at) in
-      [
+      let shine k =
+        let sharpness = highlights.numbers.(k * highlights.size) in
         {
-          source = Emitted;
-          color = Color.make (emitted 0) (emitted 1) (emitted 2);
-        };
-        {
-          source = Diffused { light = Raw_color.to_color t.light };
-          color = Raw_color.to_color t.color;
-        };
-      ]
+          Event.source = Shine { sharpness; shine = Shine.color t.shine k };
+          color = Shine.term t.shine highlights k;
+        }
+      in
+      {
+        source = Emitted;
+        color = Color.make (emitted 0) (emitted 1) (emitted 2);
+      }
+      :: {
+           source = diffused t (Raw_color.to_color t.light);
+           color = Raw_color.to_color t.color;
+         }
+      :: List.init highlights.count shine
 
 (* What the bounces from [first] on are, before they are followed. *)
 let bounce_sources t { Raw_lobes.refractions; _ } ~first : Event.source list =
@@ -138,7 +153,7 @@ and shade t left lobes at =
   let kr = lobes.%(at + Raw_lobes.mirror)
   and kg = lobes.%(at + Raw_lobes.mirror + 1)
   and kb = lobes.%(at + Raw_lobes.mirror + 2) in
-  diffuse t lobes at;
+  diffuse t lobes at t.no_highlights;
   let { Raw_color.r = dr; g = dg; b = db } = t.color in
   let { Raw_color.r = lr; g = lg; b = lb } = t.light in
   if kr > 0. || kg > 0. || kb > 0. then (
@@ -158,7 +173,7 @@ and shade t left lobes at =
       let terms : Event.term list =
         [
           { source = Emitted; color = Color.make er eg eb };
-          { source = Diffused { light }; color = Color.make dr dg db };
+          { source = diffused t light; color = Color.make dr dg db };
           {
             source = Mirror { weight = Color.make kr kg kb };
             color = Color.make mr mg mb;
@@ -174,16 +189,22 @@ and shade_rich t left (lobes : Raw_lobes.t) =
   let er = core.%(Raw_lobes.emission)
   and eg = core.%(Raw_lobes.emission + 1)
   and eb = core.%(Raw_lobes.emission + 2) in
-  diffuse t core 0;
+  let highlights = lobes.highlights in
+  diffuse t core 0 highlights;
   let { Raw_color.r = dr; g = dg; b = db } = t.color in
-  let direct = direct_terms t core and first = Bounces.count bounces in
+  let r = ref (er +. dr) and g = ref (eg +. dg) and b = ref (eb +. db) in
+  for k = 0 to highlights.count - 1 do
+    r := !r +. Shine.red t.shine highlights k;
+    g := !g +. Shine.green t.shine highlights k;
+    b := !b +. Shine.blue t.shine highlights k
+  done;
+  let direct = direct_terms t lobes and first = Bounces.count bounces in
   Bounces.add bounces lobes t.spot t.ray;
   let sources = bounce_sources t lobes ~first in
   let stop = Bounces.count bounces in
   for k = first to stop - 1 do
     if Bounces.has_weight bounces k then bounce t left k ~mirror:first
   done;
-  let r = ref (er +. dr) and g = ref (eg +. dg) and b = ref (eb +. db) in
   for k = first to stop - 1 do
     r := !r +. Bounces.red bounces k;
     g := !g +. Bounces.green bounces k;
@@ -237,5 +258,6 @@ let nearest_hit t r =
 
 let light t { Hit.point; normal; offset; _ } =
   let t = { t with spot = Spot.of_point ~point ~normal ~offset } in
-  Lighting.gather t;
+  t.ray.seed <- 0.;
+  Lighting.gather t t.no_highlights;
   Raw_color.to_color t.light

@@ -34,4 +34,5 @@ val nearest_hit : t -> Ray.t -> Hit.t option
 (** [nearest_hit t r] is the first hit of [r], if there is one. *)
 
 val light : t -> Hit.t -> Color.t
-(** [light t hit] is the light that reaches [hit]. *)
+(** [light t hit] is the light that reaches [hit], as a ray with the seed 0
+    sees it. *)

@@ -20,8 +20,11 @@ type role =
 type source =
   | Background
   | Emitted  (** what the surface gives off *)
-  | Diffused of { light : Color.t }
-      (** albedo times [light], the sum of all contributions *)
+  | Diffused of { ambient : Color.t; light : Color.t }
+      (** albedo times [light], the sum of [ambient] and all contributions *)
+  | Shine of { sharpness : float; shine : Color.t }
+      (** the colour of the highlight of this sharpness times [shine], the sum
+          of what the lights give to it *)
   | Mirror of { weight : Color.t }
       (** [weight] times the colour of the mirrored ray: the mirror, Fresnel's
           share of glass, and all that is totally reflected *)
@@ -52,22 +55,32 @@ type crossing = {
 }
 (** The type for surfaces that light goes through. *)
 
-(** The type for events. The sums hold exactly, added from the left; a sum or
-    product too large for a double is the largest double. *)
+type cone = { angle : float; part : float }
+(** Of a point in the cone of a spot: the angle in degrees from its axis, and
+    which part of its light goes there, 1 inside of the inner angle. *)
+
+(** The type for events. What has a [cell] is about the point of that cell of
+    an area light, from 1, as if that were a light of its own. The sums hold
+    exactly, added from the left; a sum or product too large for a double is
+    the largest double. *)
 type t =
   | Opened of { role : role; ray : Ray.t; left : int }
       (** A ray is cast, with [left] rays left in its chain, itself included.
       *)
   | Met of Hit.t  (** The first hit of the ray. *)
-  | Faces_away of { light : int; cosine : float }
+  | Faces_away of { light : int; cell : int option; cosine : float }
       (** The surface is turned away from the light: [cosine], of the angle
           between the normal and the way to the light, is not positive. It is
           0, too, where a point light gives nothing since the square of its
           distance is no double. *)
-  | Shadow_ray of { light : int; ray : Ray.t }
+  | Outside of { light : int; angle : float }
+      (** The surface is outside of the cone of a spot: at this angle in
+          degrees from its axis. *)
+  | Shadow_ray of { light : int; cell : int option; ray : Ray.t }
       (** A ray is sent to find out whether anything blocks the light. *)
   | Blocked of {
       light : int;
+      cell : int option;
       by : int;
       primitive : int option;  (** which of it, from 1, if it is a solid *)
       t : float;
@@ -77,17 +90,31 @@ type t =
           distance [t], at [point]. *)
   | Lit of {
       light : int;
+      cell : int option;
       cosine : float;
       falloff : float;
-          (** 1 over the squared distance for a point light, else 1 *)
+          (** 1 over the squared distance; 1 for a light that is directional or
+              unfading *)
+      cone : cone option;  (** if it is a spot *)
       contribution : Color.t;
-          (** [cosine * falloff * intensity * colour] of the light, times each
-              part that it goes [through] *)
+          (** [cosine * falloff * part * intensity * colour] of the light,
+              times each part that it goes [through] *)
+      shines : Color.t list;
+          (** the same for each highlight of the surface, with its power
+              instead of the cosine; see {!Raylab_scene.Shine} *)
       past : int option;
           (** the first object that would be in the way, but is shadowless *)
       through : crossing list;
           (** the surfaces that refract in the way, the nearest first *)
     }  (** Nothing is in the way that ends it. *)
+  | Mean of {
+      light : int;
+      points : int;
+      contribution : Color.t;
+      shines : Color.t list;
+    }
+      (** What an area light gives: the sum of what its points give, divided by
+          their number. *)
   | Closed of { left : int; terms : term list; color : Color.t }
       (** The ray that was opened last, and not closed, has [color], the sum of
           [terms]; [left] is what it was opened with. If it met nothing, or was

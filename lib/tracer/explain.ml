@@ -22,6 +22,7 @@ type crossed = {
 
 type verdict =
   | Faces_away of { cosine : float }
+  | Outside of { angle : float }
   | Blocked of {
       shadow_ray : Ray.t;
       by : int;
@@ -35,9 +36,16 @@ type verdict =
       shadow_ray : Ray.t option;
       cosine : float;
       falloff : float;
+      cone : Event.cone option;
       contribution : Color.t;
+      shines : Color.t list;
       past : past option;
       through : crossed list;
+    }
+  | Mean of {
+      points : verdict list;
+      contribution : Color.t;
+      shines : Color.t list;
     }
 
 type light = {
@@ -77,6 +85,7 @@ type open_ray = {
   opened : Event.role * Ray.t * int;
   met : Hit.t option;
   shadow_ray : Ray.t option; (* whose answer is still to come *)
+  points : verdict list; (* of an area light that is still to be told *)
   verdicts : light list;
   closed : t list; (* the rays that were opened in this one *)
 }
@@ -133,28 +142,61 @@ let crossed_of scene { Event.met = { by; primitive; t; point }; part } =
 let add_verdict scene state number verdict =
   let light = Prepared.numbered_light scene number in
   let told = { number; light; place = place scene light.origin; verdict } in
-  { state with shadow_ray = None; verdicts = told :: state.verdicts }
+  let verdicts = told :: state.verdicts in
+  { state with shadow_ray = None; points = []; verdicts }
+
+let add_point scene state number cell verdict =
+  match cell with
+  | None -> add_verdict scene state number verdict
+  | Some _ ->
+      { state with shadow_ray = None; points = verdict :: state.points }
 
 (* [after scene state event] is [state] after an event that neither opens nor
    closes a ray. *)
 let after scene state : Event.t -> open_ray = function
   | Met hit -> { state with met = Some hit }
-  | Faces_away { light; cosine } ->
-      add_verdict scene state light (Faces_away { cosine })
+  | Faces_away { light; cell; cosine } ->
+      add_point scene state light cell (Faces_away { cosine })
+  | Outside { light; angle } ->
+      add_verdict scene state light (Outside { angle })
   | Shadow_ray { ray; _ } -> { state with shadow_ray = Some ray }
-  | Blocked { light; by; primitive; t; point } ->
+  | Blocked { light; cell; by; primitive; t; point } ->
       let shadow_ray = Option.get state.shadow_ray
       and blocker = Prepared.numbered_object scene by in
-      add_verdict scene state light
+      add_point scene state light cell
         (let place = place scene blocker.origin in
          let primitive = Option.map (primitive_of scene blocker) primitive in
          Blocked { shadow_ray; by; blocker; primitive; place; t; point })
-  | Lit { light; cosine; falloff; contribution; past; through } ->
+  | Lit
+      {
+        light;
+        cell;
+        cosine;
+        falloff;
+        cone;
+        contribution;
+        shines;
+        past;
+        through;
+      } ->
       let shadow_ray = state.shadow_ray
       and past = Option.map (past_of scene) past
       and through = List.map (crossed_of scene) through in
-      add_verdict scene state light
-        (Lit { shadow_ray; cosine; falloff; contribution; past; through })
+      add_point scene state light cell
+        (Lit
+           {
+             shadow_ray;
+             cosine;
+             falloff;
+             cone;
+             contribution;
+             shines;
+             past;
+             through;
+           })
+  | Mean { light; contribution; shines; _ } ->
+      let points = List.rev state.points in
+      add_verdict scene state light (Mean { points; contribution; shines })
   | Opened _ | Closed _ | Done _ -> unexpected ()
 
 let start role ray left =
@@ -162,6 +204,7 @@ let start role ray left =
     opened = (role, ray, left);
     met = None;
     shadow_ray = None;
+    points = [];
     verdicts = [];
     closed = [];
   }
@@ -211,10 +254,18 @@ let sum_of holds e =
 let light e =
   let light (term : term) =
     match term.source with
-    | Diffused { light } -> Some light
-    | Background | Emitted | Mirror _ | Refraction _ -> None
+    | Diffused { light; _ } -> Some light
+    | Background | Emitted | Shine _ | Mirror _ | Refraction _ -> None
   in
   Option.value (List.find_map light e.terms) ~default:Color.black
+
+let ambient e =
+  let ambient (term : term) =
+    match term.source with
+    | Diffused { ambient; _ } -> Some ambient
+    | Background | Emitted | Shine _ | Mirror _ | Refraction _ -> None
+  in
+  Option.value (List.find_map ambient e.terms) ~default:Color.black
 
 (* {1 Pixels} *)
 

@@ -36,6 +36,9 @@ type verdict =
   | Faces_away of { cosine : float }
       (** The surface is turned away; [cosine] is not positive. It is 0, too,
           where the square of the distance to the light is no double. *)
+  | Outside of { angle : float }
+      (** It is outside of the cone of a spot, at this angle in degrees from
+          its axis. *)
   | Blocked of {
       shadow_ray : Ray.t;
       by : int;  (** the number of the blocking object, from 1 *)
@@ -50,12 +53,22 @@ type verdict =
           (** none if the light is where that ray would start *)
       cosine : float;
       falloff : float;
+      cone : Event.cone option;  (** if the light is a spot *)
       contribution : Color.t;
+      shines : Color.t list;
+          (** what it gives to each highlight of the surface *)
       past : past option;
           (** the first object in the way that is shadowless *)
       through : crossed list;
           (** the surfaces that it goes through, the nearest to the hit first
           *)
+    }
+  | Mean of {
+      points : verdict list;  (** of each point of an area light *)
+      contribution : Color.t;
+          (** the sum of their contributions, added from the left, divided by
+              their number *)
+      shines : Color.t list;  (** likewise *)
     }
 
 type light = {
@@ -126,8 +139,12 @@ val sum_of : (Event.source -> bool) -> t -> Color.t
 (** [sum_of holds e] is the sum of the terms of [e] whose source [holds]. *)
 
 val light : t -> Color.t
-(** [light e] is the sum of what all lights give at the hit of [e]; black if it
-    hits nothing. *)
+(** [light e] is the sum of the ambient light and what all lights give at the
+    hit of [e]; black if it hits nothing. *)
+
+val ambient : t -> Color.t
+(** [ambient e] is the ambient light at the hit of [e]; black if it hits
+    nothing. *)
 
 (** {1 Pixels} *)
 

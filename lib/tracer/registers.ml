@@ -14,7 +14,7 @@ type t = {
   spot : Spot.t;
   lobes : Raw_lobes.t;
   bounces : Bounces.t;
-  incidence : Light.incidence;
+  incidence : Incidence.t;
   clear_finder : Finder.t option;
   passing : Raw_ray.t;
   shadow_spot : Spot.t;
@@ -23,6 +23,11 @@ type t = {
   tint : Raw_color.t;
   mutable crossings : Event.crossing list;
   gives : Raw_color.t;
+  mean : Raw_color.t;
+  no_highlights : Raw_parts.t;
+  shine : Shine.t;
+  mean_shine : Shine.t;
+  gives_shine : Shine.t;
   light : Raw_color.t;
   color : Raw_color.t;
 }
@@ -45,7 +50,7 @@ let create ?observe (prepared : Prepared.t) =
     spot = Spot.create ();
     lobes = Raw_lobes.create ();
     bounces = Bounces.create ();
-    incidence = Light.create_incidence ();
+    incidence = Incidence.create ();
     clear_finder =
       Option.map
         (fun (clear : Prepared.clear) -> Index.ask clear.index)
@@ -57,6 +62,11 @@ let create ?observe (prepared : Prepared.t) =
     tint = Raw_color.create ();
     crossings = [];
     gives = Raw_color.create ();
+    mean = Raw_color.create ();
+    no_highlights = Raw_parts.create ~colors:1;
+    shine = Shine.create ();
+    mean_shine = Shine.create ();
+    gives_shine = Shine.create ();
     light = Raw_color.create ();
     color = Raw_color.create ();
   }

@@ -21,7 +21,7 @@ type t = {
   spot : Spot.t;  (** where the ray of the chain does *)
   lobes : Raw_lobes.t;  (** what a surface that varies denotes there *)
   bounces : Bounces.t;  (** the rays that are still to be followed *)
-  incidence : Light.incidence;  (** how one light meets it *)
+  incidence : Incidence.t;  (** how one light meets it *)
   clear_finder : Finder.t option;
       (** of what shadow rays may go through, if there is such *)
   passing : Raw_ray.t;  (** the shadow ray behind what it has gone through *)
@@ -32,6 +32,11 @@ type t = {
   mutable crossings : Event.crossing list;
       (** all of that, the last first; kept for observers only *)
   gives : Raw_color.t;  (** what one light gives *)
+  mean : Raw_color.t;  (** what the points of a light give *)
+  no_highlights : Raw_parts.t;  (** those of a plain surface: none *)
+  shine : Shine.t;  (** what all lights give to the highlights *)
+  mean_shine : Shine.t;  (** what the points of a light give to them *)
+  gives_shine : Shine.t;  (** what one of them does *)
   light : Raw_color.t;  (** what all lights give *)
   color : Raw_color.t;  (** what the ray brings *)
 }

@@ -33,5 +33,5 @@ val nearest_hit : Prepared.t -> Ray.t -> Hit.t option
 *)
 
 val light : Prepared.t -> Hit.t -> Color.t
-(** [light prepared hit] is the light that reaches [hit] from all lights of the
-    scene. *)
+(** [light prepared hit] is the light that reaches [hit]: the ambient light and
+    that of all lights of the scene, as a ray with the seed 0 sees it. *)

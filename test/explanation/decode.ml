@@ -33,59 +33,111 @@ let crossed json : Explain.crossed =
   and part = color (get "part") in
   { by; object_; primitive; place; t; point; part }
 
+let cone json : Event.cone =
+  let get = members [ "angle"; "part" ] json in
+  { angle = float (get "angle"); part = float (get "part") }
+
+(* With a way to get what stands in [base] before it. *)
+let rec verdict base json =
+  let get rest = members (base @ ("verdict" :: rest)) json in
+  match text (member "verdict" json) with
+  | "faces away" ->
+      let get = get [ "cosine" ] in
+      (Explain.Faces_away { cosine = float (get "cosine") }, get)
+  | "outside" ->
+      let get = get [ "angle" ] in
+      (Outside { angle = float (get "angle") }, get)
+  | "mean" ->
+      let names = if has "shines" json then [ "shines" ] else [] in
+      let get = get ([ "points"; "contribution" ] @ names) in
+      let shines = if names = [] then [] else list color (get "shines") in
+      let point json = fst (verdict [] json) in
+      let points = list point (get "points")
+      and contribution = color (get "contribution") in
+      (Mean { points; contribution; shines }, get)
+  | "blocked" ->
+      let by, blocker, place = object_ (member "by" json) in
+      let names, primitive = primitive json blocker in
+      let get = get ([ "shadow_ray"; "by" ] @ names @ [ "t"; "point" ]) in
+      let shadow_ray = shadow_ray (get "shadow_ray") in
+      let point = vector (get "point") in
+      let t = float (get "t") in
+      (Blocked { shadow_ray; by; blocker; primitive; place; t; point }, get)
+  | "lit" ->
+      let names = List.filter (fun name -> has name json) [ "past"; "through" ]
+      and cones = if has "cone" json then [ "cone" ] else []
+      and shone = if has "shines" json then [ "shines" ] else [] in
+      let get =
+        get
+          ([ "shadow_ray"; "cosine"; "falloff" ]
+          @ cones @ [ "contribution" ] @ shone @ names)
+      in
+      let past =
+        if not (has "past" json) then None
+        else
+          let number, object_, place = object_ (get "past") in
+          Some { Explain.number; object_; place }
+      in
+      let shadow_ray = optional shadow_ray (get "shadow_ray") in
+      let cosine = float (get "cosine")
+      and falloff = float (get "falloff")
+      and cone = if cones = [] then None else Some (cone (get "cone"))
+      and contribution = color (get "contribution")
+      and shines = if shone = [] then [] else list color (get "shines") in
+      let through =
+        if has "through" json then list crossed (get "through") else []
+      in
+      ( Lit
+          {
+            shadow_ray;
+            cosine;
+            falloff;
+            cone;
+            contribution;
+            shines;
+            past;
+            through;
+          },
+        get )
+  | other -> wrong other
+
+let parameters = function
+  | "directional" -> [ "direction" ]
+  | "spherical" -> [ "position" ]
+  | "spot" -> [ "position"; "target"; "inner"; "outer" ]
+  | "area" -> [ "corner"; "edge"; "other"; "count" ]
+  | other -> wrong other
+
 let light json : Explain.light =
-  let is_directional = kind json = "directional" in
-  let place = if is_directional then "direction" else "position" in
+  let kind = kind json in
+  let unfading = if has "unfading" json then [ "unfading" ] else [] in
   let base =
     ("number" :: place_members json)
-    @ [ "kind"; place; "intensity"; "color"; "verdict" ]
+    @ ("kind" :: parameters kind)
+    @ [ "intensity"; "color" ] @ unfading
   in
-  let get rest = members (base @ rest) json in
-  let verdict, get =
-    match text (member "verdict" json) with
-    | "faces away" ->
-        let get = get [ "cosine" ] in
-        (Explain.Faces_away { cosine = float (get "cosine") }, get)
-    | "blocked" ->
-        let by, blocker, place = object_ (member "by" json) in
-        let names, primitive = primitive json blocker in
-        let get = get ([ "shadow_ray"; "by" ] @ names @ [ "t"; "point" ]) in
-        let shadow_ray = shadow_ray (get "shadow_ray") in
-        let point = vector (get "point") in
-        let t = float (get "t") in
-        (Blocked { shadow_ray; by; blocker; primitive; place; t; point }, get)
-    | "lit" ->
-        let names =
-          List.filter (fun name -> has name json) [ "past"; "through" ]
-        in
-        let get =
-          get ([ "shadow_ray"; "cosine"; "falloff"; "contribution" ] @ names)
-        in
-        let past =
-          if not (has "past" json) then None
-          else
-            let number, object_, place = object_ (get "past") in
-            Some { Explain.number; object_; place }
-        in
-        let shadow_ray = optional shadow_ray (get "shadow_ray") in
-        let cosine = float (get "cosine")
-        and falloff = float (get "falloff")
-        and contribution = color (get "contribution") in
-        let through =
-          if has "through" json then list crossed (get "through") else []
-        in
-        (Lit { shadow_ray; cosine; falloff; contribution; past; through }, get)
-    | other -> wrong other
-  in
+  let verdict, get = verdict base json in
   let light =
-    let intensity = float (get "intensity")
-    and color = color (get "color")
-    and place = vector (get place) in
-    Light.with_origin (origin json)
-      (if is_directional then
-         Light.directional ~intensity ~color ~direction:place
-       else Light.spherical ~intensity ~color ~position:place)
+    let intensity = float (get "intensity") and color = color (get "color") in
+    let vector name = vector (get name) and float name = float (get name) in
+    match kind with
+    | "directional" ->
+        Light.directional ~intensity ~color ~direction:(vector "direction")
+    | "spherical" ->
+        Light.spherical ~intensity ~color ~position:(vector "position")
+    | "spot" ->
+        Light.spot ~intensity ~color
+          (Beam.make_exn ~position:(vector "position")
+             ~target:(vector "target") ~inner:(float "inner")
+             ~outer:(float "outer"))
+    | _ ->
+        Light.area ~intensity ~color
+          (Pane.make ~corner:(vector "corner") ~edge:(vector "edge")
+             ~other:(vector "other")
+             ~count:(int_of_float (float "count")))
   in
+  let light = if unfading = [] then light else Light.unfading light in
+  let light = Light.with_origin (origin json) light in
   let place = Test_support.Build.place light.origin in
   { number = int (get "number"); light; place; verdict }
 
@@ -132,8 +184,16 @@ and term json : Explain.term =
     | "background" -> (Event.Background, get [], None)
     | "emitted" -> (Emitted, get [], None)
     | "diffused" ->
-        let get = get [ "light" ] in
-        (Diffused { light = color (get "light") }, get, None)
+        let ambients = if has "ambient" json then [ "ambient" ] else [] in
+        let get = get ("light" :: ambients) in
+        let ambient =
+          if ambients = [] then Color.black else color (get "ambient")
+        in
+        (Diffused { ambient; light = color (get "light") }, get, None)
+    | "shine" ->
+        let get = get [ "sharpness"; "shine" ] in
+        let sharpness = float (get "sharpness") in
+        (Shine { sharpness; shine = color (get "shine") }, get, None)
     | "mirrored" ->
         let get = get [ "weight"; "ray" ] in
         let weight = color (get "weight") in

@@ -163,6 +163,13 @@ let test_all_kinds () =
       Light.with_origin (at_line_of_wood 4)
         (Light.directional ~intensity:1. ~color:Color.white
            ~direction:(v 0. 1. (-1.)));
+      Light.spot ~intensity:1. ~color:Color.white
+        (Beam.make_exn ~position:(v 0. 1. (-1.)) ~target:(v 0. 9. 0.) ~inner:1.
+           ~outer:2.);
+      Light.unfading
+        (Light.area ~intensity:1. ~color:Color.white
+           (Pane.make ~corner:(v 0. 1. (-1.)) ~edge:(v 1. 0. 0.)
+              ~other:(v 0. 1. 0.) ~count:2));
     ]
   in
   let objects =
@@ -174,7 +181,11 @@ let test_all_kinds () =
       sphere (v 0.4 0. (-6.)) 1.5 Surface.reflective;
     ]
   in
-  let scene = Prepared.make (Scene.make ~lights ~objects ~files (camera ())) in
+  let scene =
+    Prepared.make
+      (Scene.make ~ambient:(rgb 0.1 0.2 0.3) ~lights ~objects ~files
+         (camera ()))
+  in
   let e = Explain.centre (Explain.pixel scene ~x:0 ~y:0) in
   let verdicts =
     match e.outcome with
@@ -184,13 +195,15 @@ let test_all_kinds () =
             match verdict with
             | Lit _ -> "lit"
             | Blocked _ -> "blocked"
-            | Faces_away _ -> "away")
+            | Faces_away _ -> "away"
+            | Outside _ -> "outside"
+            | Mean _ -> "mean")
           lights
     | _ -> []
   in
   Alcotest.(check (list string))
     "all verdicts"
-    [ "lit"; "blocked"; "away" ]
+    [ "lit"; "blocked"; "away"; "outside"; "mean" ]
     verdicts;
   Alcotest.(check bool) "parses back" true (parses_back scene)
 

@@ -11,18 +11,44 @@ let is_same a b =
 let limited f = Saturate.color f
 let sum a b = limited (Color.add a b)
 
-let contribution { Explain.verdict; _ } =
-  match verdict with
+let divided { Color.r; g; b } n =
+  let n = float_of_int n in
+  Color.make (r /. n) (g /. n) (b /. n)
+
+let rec contribution : Explain.verdict -> Color.t = function
   | Lit { contribution; _ } -> contribution
-  | Faces_away _ | Blocked _ -> Color.black
+  | Faces_away _ | Outside _ | Blocked _ -> Color.black
+  | Mean { points; _ } ->
+      let all = List.map contribution points in
+      divided (List.fold_left sum Color.black all) (List.length points)
+
+(* What a light gives to highlight [k]. *)
+let rec shine k : Explain.verdict -> Color.t = function
+  | Lit { shines; _ } -> List.nth shines k
+  | Faces_away _ | Outside _ | Blocked _ -> Color.black
+  | Mean { points; _ } ->
+      let all = List.map (shine k) points in
+      divided (List.fold_left sum Color.black all) (List.length points)
+
+let rec is_mean : Explain.verdict -> bool = function
+  | Mean { points; contribution = c; shines } as verdict ->
+      let is_shine k s = is_same s (shine k verdict) in
+      is_same c (contribution verdict)
+      && List.for_all Fun.id (List.mapi is_shine shines)
+      && List.for_all is_mean points
+  | Lit _ | Faces_away _ | Outside _ | Blocked _ -> true
 
 (* cosine * fall-off * intensity * colour, and what is left of that behind all
    that the light goes through. *)
-let gift_is_right { Explain.light; verdict; _ } =
+let rec gift_is_right (light : Light.t) (verdict : Explain.verdict) =
   match verdict with
-  | Faces_away _ | Blocked _ -> true
-  | Lit { cosine; falloff; contribution; through; _ } ->
-      let k = Saturate.limit (cosine *. falloff) in
+  | Faces_away _ | Outside _ | Blocked _ -> true
+  | Mean { points; _ } -> List.for_all (gift_is_right light) points
+  | Lit { cosine; falloff; cone; contribution; through; _ } ->
+      let part =
+        Option.fold cone ~none:1. ~some:(fun { Event.part; _ } -> part)
+      in
+      let k = Saturate.limit (cosine *. falloff) *. part in
       let gives = limited (Color.scale k light.power) in
       let weaken tint { Explain.part; _ } =
         limited (Color.multiply tint part)
@@ -82,7 +108,7 @@ let shares_are_right (e : Explain.t) =
         match term.source with
         | Mirror { weight } | Refraction { weight; _ } ->
             Some (Color.largest weight, term.ray)
-        | Background | Emitted | Diffused _ -> None)
+        | Background | Emitted | Diffused _ | Shine _ -> None)
       e.terms
   in
   let sum = List.fold_left (fun sum (w, _) -> sum +. w) 0. weights in
@@ -112,15 +138,24 @@ let term_is_right terms (h : Explain.surface_hit) (term : Explain.term) =
   in
   match (term.source, term.ray) with
   | Emitted, None -> is_same term.color emission
-  | Diffused { light }, None ->
-      let lights = List.map contribution h.lights in
-      is_same light (List.fold_left sum Color.black lights)
+  | Diffused { ambient; light }, None ->
+      let verdicts = List.map (fun l -> l.Explain.verdict) h.lights in
+      let lights = List.map contribution verdicts in
+      is_same light (List.fold_left sum ambient lights)
+      && List.for_all is_mean verdicts
       && is_same term.color (limited (Color.multiply albedo light))
+  | Shine { sharpness; shine = s }, None ->
+      let is_it (_, h) = h.Lobes.sharpness = sharpness in
+      let numbered = List.mapi (fun k h -> (k, h)) h.lobes.highlights in
+      let k, { Lobes.shine = color; _ } = List.find is_it numbered in
+      let gives l = shine k l.Explain.verdict in
+      is_same s (List.fold_left sum Color.black (List.map gives h.lights))
+      && is_same term.color (limited (Color.multiply color s))
   | Mirror { weight }, ray ->
       is_same weight (mirrored h.lobes terms) && of_ray weight ray
   | Refraction { weight; _ }, ray ->
       is_same weight (refracted h.lobes term) && of_ray weight ray
-  | Background, _ | (Emitted | Diffused _), Some _ -> false
+  | Background, _ | (Emitted | Diffused _ | Shine _), Some _ -> false
 
 let sources (e : Explain.t) =
   List.map (fun (term : Explain.term) -> Event.source_name term.source) e.terms
@@ -136,10 +171,14 @@ let rec adds_up background (e : Explain.t) =
       && is_same e.color background
   | Hit h ->
       sources e
-      = [ "emitted"; "diffused"; "mirrored" ]
+      = [ "emitted"; "diffused" ]
+        @ List.map (fun _ -> "shine") h.lobes.highlights
+        @ [ "mirrored" ]
         @ List.map (fun _ -> "refracted") h.lobes.refractions
       && List.for_all (term_is_right e.terms h) e.terms
-      && List.for_all gift_is_right h.lights
+      && List.for_all
+           (fun (l : Explain.light) -> gift_is_right l.light l.verdict)
+           h.lights
       && Geometry.Ray.share e.ray >= 1. /. 1024.
       && shares_are_right e
       && List.for_all
@@ -154,9 +193,7 @@ let mean = function
   | [] -> Color.black
   | ({ color; _ } : Explain.sample) :: rest as samples ->
       let add sum ({ color; _ } : Explain.sample) = Color.add sum color in
-      let { Color.r; g; b } = List.fold_left add color rest
-      and n = float_of_int (List.length samples) in
-      Color.make (r /. n) (g /. n) (b /. n)
+      divided (List.fold_left add color rest) (List.length samples)
 
 let exposed { Film.exposure; _ } { Color.r; g; b } =
   let channel v = Float.min 1. (exposure *. v) in
@@ -184,9 +221,9 @@ let sums =
 (* {1 Numbers of rays} *)
 
 let count (tally : Tally.t) (e : Explain.t) =
-  let light { Explain.verdict; _ } =
-    match verdict with
-    | Faces_away _ | Lit { shadow_ray = None; _ } -> ()
+  let rec verdict : Explain.verdict -> unit = function
+    | Faces_away _ | Outside _ | Lit { shadow_ray = None; _ } -> ()
+    | Mean { points; _ } -> List.iter verdict points
     | Lit { shadow_ray = Some _; _ } -> tally.shadow <- tally.shadow + 1
     | Blocked _ ->
         tally.shadow <- tally.shadow + 1;
@@ -197,7 +234,7 @@ let count (tally : Tally.t) (e : Explain.t) =
     | Missed | Chain_ended | Too_faint -> ()
     | Hit h ->
         tally.hits <- tally.hits + 1;
-        List.iter light h.lights;
+        List.iter (fun l -> verdict l.Explain.verdict) h.lights;
         let follow (next : Explain.t) =
           (match (next.outcome, next.role) with
           | (Chain_ended | Too_faint), _ | _, Primary -> ()

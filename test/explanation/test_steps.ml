@@ -59,6 +59,8 @@ let test_order () =
     | Opened { role = Refracted; left; _ } -> Printf.sprintf "refract %d" left
     | Met { number; _ } -> Printf.sprintf "hit %d" number
     | Faces_away { light; _ } -> Printf.sprintf "away %d" light
+    | Outside { light; _ } -> Printf.sprintf "outside %d" light
+    | Mean { light; _ } -> Printf.sprintf "mean %d" light
     | Shadow_ray { light; _ } -> Printf.sprintf "shadow %d" light
     | Blocked { light; by; _ } -> Printf.sprintf "blocked %d by %d" light by
     | Lit { light; _ } -> Printf.sprintf "lit %d" light

@@ -154,12 +154,23 @@ let object_ number random =
 
 let light number random =
   let intensity = at_least_0 number random and color = color number random in
-  if Random.State.bool random then
-    Printf.sprintf "spherical %s %s %s\n" intensity color
-      (vector number random)
-  else
-    Printf.sprintf "directional %s %s %s\n" intensity color
-      (direction number random)
+  let place = vector number random in
+  let word, parameters =
+    match up_to random 5 with
+    | 0 | 1 -> ("spherical", place)
+    | 2 | 3 -> ("directional", direction number random)
+    | 4 ->
+        let target = direction number random
+        and inner = choose random [| "0"; "10"; "89.9"; "179" |]
+        and outer = choose random [| "10"; "90"; "179"; "180" |] in
+        ("spot", String.concat " " [ place; target; inner; outer ])
+    | _ ->
+        let edge = vector number random and other = vector number random in
+        let count = string_of_int (1 + up_to random 3) in
+        ("area", String.concat " " [ place; edge; other; count ])
+  in
+  let unfading = if one_in random 5 then " unfading" else "" in
+  Printf.sprintf "%s %s %s %s%s\n" word intensity color parameters unfading
 
 (* How the eye looks: one camera of three is placed. *)
 let view number random =
@@ -188,13 +199,14 @@ let scene_of number random =
   in
   Printf.sprintf
     "imWidth %s imHeight %s %s\n\
-     bcolor %s raydepth %d\n\
+     bcolor %s raydepth %d%s\n\
      lights\n\
      %s\n\
      objects\n\
      %s\n"
     (pixels ()) (pixels ()) (view number random) (color number random)
     (up_to random 7)
+    (if one_in random 4 then " ambient " ^ color number random else "")
     (some random 4 (light number))
     (some random 6 (object_ number))
 

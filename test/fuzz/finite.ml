@@ -20,13 +20,31 @@ let hit { Hit.t; point; own_point; normal; offset; _ } =
 let crossed { Explain.t; point; part; _ } =
   number t && vec3 point && color part
 
-let verdict = function
+let cone { Event.angle; part } = number angle && number part
+
+let rec verdict = function
   | Explain.Faces_away { cosine } -> number cosine
+  | Outside { angle } -> number angle
+  | Mean { points; contribution; shines } ->
+      List.for_all verdict points
+      && color contribution && List.for_all color shines
   | Blocked { shadow_ray; t; point; _ } ->
       ray shadow_ray && number t && vec3 point
-  | Lit { shadow_ray; cosine; falloff; contribution; through; _ } ->
+  | Lit
+      {
+        shadow_ray;
+        cosine;
+        falloff;
+        cone = c;
+        contribution;
+        shines;
+        through;
+        _;
+      } ->
       Option.fold ~none:true ~some:ray shadow_ray
-      && number cosine && number falloff && color contribution
+      && number cosine && number falloff
+      && Option.fold ~none:true ~some:cone c
+      && color contribution && List.for_all color shines
       && List.for_all crossed through
 
 let highlight { Lobes.sharpness; shine } = number sharpness && color shine
@@ -40,7 +58,8 @@ let lobes { Lobes.emission; albedo; mirror; highlights; refractions } =
   && List.for_all refraction refractions
 
 let source = function
-  | Event.Diffused { light } -> color light
+  | Event.Diffused { ambient; light } -> color ambient && color light
+  | Shine { sharpness; shine } -> number sharpness && color shine
   | Mirror { weight } -> color weight
   | Refraction { index; weight; share; cosine } ->
       number index && color weight && number share && number cosine

@@ -63,7 +63,7 @@ let small (scene : Scene.t) =
   let camera =
     Camera.with_size ~width:(side width) ~height:(side height) scene.camera
   in
-  Scene.make camera ~background:scene.background
+  Scene.make camera ~background:scene.background ~ambient:scene.ambient
     ~ray_depth:(Int.min scene.ray_depth most_depth)
     ~lights:scene.lights ~objects:scene.objects
 

@@ -57,6 +57,20 @@ let scenes =
       "sphere 0 0 6 2 reflective";
     same "vectors" "let p = 0 (1 + 1) 6 sphere [p] 1 reflective"
       "sphere 0 2 6 1 reflective";
+    same "a light that does not fade"
+      "let lamp = spherical 1 white 0 2 0 lamp unfading translated 1 0 0"
+      "spherical 1 white 1 2 0 unfading";
+    same "all lights of a group"
+      "group spherical 1 white 0 2 0 group spot 1 white 0 2 0 0 0 (1 + 1) 5 9 \
+       end sphere 0 0 6 1 reflective end unfading"
+      "spherical 1 white 0 2 0 unfading spot 1 white 0 2 0 0 0 2 5 9 unfading \
+       sphere 0 0 6 1 reflective";
+    same "lights that are moved"
+      "area 1 white 0 2 0 1 0 0 0 0 3 4 scaled 2 rotated 0 1 0 90 translated \
+       0 1 0 spot 1 white 1 2 0 1 0 0 5 9 stretched 3 1 1"
+      "area 1 white 0 5 0 0 0 -2 6 0 0 4 spot 1 white 3 2 0 3 0 0 5 9";
+    same "ambient light" "let dim = [0.1, 0.2, 0.3] sphere 0 0 6 1 reflective"
+      "sphere 0 0 6 1 reflective";
     same "colours" "let sand = [1, 0.5, 0] sphere 0 0 6 1 diffusive sand"
       "sphere 0 0 6 1 diffusive 1 0.5 0";
     same "surfaces"

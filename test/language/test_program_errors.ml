@@ -173,6 +173,41 @@ intersection both sphere 0 0 6 2 reflective end
     check "a light without a shadow"
       {|directional 1 1 1 1 0 -1 0 shadowless
                            ^^^^^^^^^^ a light has no shadow|};
+    check "an object that should not fade"
+      {|sphere 0 0 6 1 reflective unfading
+                          ^^^^^^^^ there is no light that could be unfading|};
+    check "a group without a light"
+      {|let balls = group sphere 0 0 6 1 reflective end
+balls unfading
+      ^^^^^^^^ there is no light that could be unfading|};
+  ]
+
+let lamps =
+  [
+    check "the angles of a spot, the other way round"
+      {|spot 1 white 0 3 0 0 0 0 20 10
+^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ the inner angle, 20 degrees, is greater than the outer one, 10|};
+    check "more than all around"
+      {|spot 1 white 0 3 0 0 0 0 20 (2 * 90)
+^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ the outer angle must be less than 180 degrees, not 180|};
+    check "a negative angle"
+      {|spot 1 white 0 3 0 0 0 0 -1 10
+                         ^^ the inner angle must not be negative, not -1|};
+    check "a spot that shines at itself"
+      {|spot 1 white 0 3 0 0 3 0 10 20
+^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ the light and its target are one point, or too far apart|};
+    check "half a point"
+      {|area 1 white 0 3 0 1 0 0 0 0 1 2.5
+                               ^^^ the number of points along an edge must be a whole number from 1 to 64, not 2.5|};
+    check "too many points"
+      {|area 1 white 0 3 0 1 0 0 0 0 1 65
+                               ^^ the number of points along an edge must be a whole number from 1 to 64, not 65|};
+    check "too far away"
+      {|area 1 white 1e308 3 0 1e308 0 0 0 0 1 2
+^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ the corners of the area light are too far away|};
+    check "put on its target"
+      {|spot 1 white 1e16 3 0 1e16 3 1e-9 10 20 translated 0 0 1e9
+^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ its modifiers leave the range of numbers|};
   ]
 
 let syntax =
@@ -218,4 +253,4 @@ let a = (p.w)
 
 let suite =
   ( "Faulty programs",
-    List.concat [ names; kinds; calls; rules; solids; syntax ] )
+    List.concat [ names; kinds; calls; rules; solids; lamps; syntax ] )

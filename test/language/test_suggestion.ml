@@ -12,7 +12,9 @@ let settings =
   @ Parser.[ EYE; LOOK_AT; UP; FOV ]
   @ Parser.[ LIGHTS; OBJECTS; SPHERE; PLANE ]
 
-let lights : Parser.token list = [ DIRECTIONAL; SPHERICAL; OBJECTS; SPHERE ]
+let lights : Parser.token list =
+  [ DIRECTIONAL; SPHERICAL; SPOT; AREA; OBJECTS; SPHERE ]
+
 let surfaces : Parser.token list = [ DIFFUSIVE; REFLECTIVE; LUMINOUS; MIXED ]
 let did_you_mean word = Printf.sprintf "Did you mean '%s'?" word
 
@@ -22,9 +24,11 @@ let test_trade () =
   in
   all ~acceptable:surfaces "reflective" [ "mirror"; "Mirror"; "specular" ];
   all ~acceptable:surfaces "diffusive" [ "matte"; "diffuse"; "lambertian" ];
-  all ~acceptable:surfaces "luminous" [ "emission"; "emissive"; "ambient" ];
+  all ~acceptable:surfaces "luminous" [ "emission"; "emissive" ];
   all ~acceptable:lights "spherical" [ "point"; "bulb"; "POINT_LIGHT" ];
   all ~acceptable:lights "directional" [ "sun"; "distant-light" ];
+  all ~acceptable:lights "spot" [ "spotlight"; "torch" ];
+  all ~acceptable:lights "area" [ "area-light"; "SoftBox" ];
   all ~acceptable:settings "bcolor" [ "background"; "sky"; "backgroundColor" ];
   all ~acceptable:settings "depth" [ "distance" ];
   all ~acceptable:settings "eye" [ "camera"; "viewer" ];

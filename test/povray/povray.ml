@@ -40,6 +40,19 @@ let write_camera channel (camera : Camera.t) =
     (along canvas_width viewpoint.right)
     (along canvas_height viewpoint.above)
 
+let write_point channel scale (light : Light.t) position more =
+  let power = Color.scale light.intensity light.color in
+  let distance = fade *. scale in
+  let near = 1. /. (2. *. distance *. distance) in
+  let strength, fading =
+    if light.is_unfading then (power, "")
+    else
+      ( Color.scale near power,
+        Printf.sprintf "fade_distance %s fade_power 2" (number distance) )
+  in
+  Printf.fprintf channel "light_source { %s rgb %s %s %s }\n" (vector position)
+    (color strength) fading more
+
 let write_light channel camera (light : Light.t) =
   let scale = Camera.scale camera in
   let power = Color.scale light.intensity light.color in
@@ -49,14 +62,21 @@ let write_light channel camera (light : Light.t) =
       Printf.fprintf channel
         "light_source { %s rgb %s parallel point_at <0,0,0> }\n" (vector back)
         (color power)
-  | Spherical position ->
-      let distance = fade *. scale in
-      let near = 1. /. (2. *. distance *. distance) in
-      Printf.fprintf channel
-        "light_source { %s rgb %s fade_distance %s fade_power 2 }\n"
-        (vector position)
-        (color (Color.scale near power))
-        (number distance)
+  | Spherical position -> write_point channel scale light position ""
+  | Spot { position; target; inner; outer; _ } ->
+      (* its edge is made in the angle, not in the cosine: see figures *)
+      Printf.sprintf "spotlight point_at %s radius %s falloff %s tightness 0"
+        (vector target) (number inner) (number outer)
+      |> write_point channel scale light position
+  | Area { corner; edge; other; count } ->
+      let shrunk = float_of_int (count - 1) /. float_of_int count in
+      let inner = Vec3.scale shrunk in
+      let middle = Vec3.(add corner (scale 0.5 (add edge other))) in
+      Printf.sprintf "area_light %s,%s,%d,%d area_illumination on jitter"
+        (vector (inner edge))
+        (vector (inner other))
+        count count
+      |> write_point channel scale light middle
 
 (* All of one kind and one colour; shadows are weakened as here. *)
 let write_clear channel { Lobes.plain; fresnel; glass; _ } =

@@ -2,11 +2,12 @@ open Raylab_scene
 open Test_support
 open Build
 
-let check what expected ?(background = Color.black) lights objects =
+let check what expected ?(background = Color.black) ?(ambient = Color.black)
+    lights objects =
   Alcotest.(check (list string))
     what expected
     (List.map (Warning.to_string place)
-       (Byte_colors.warnings ~background lights objects))
+       (Byte_colors.warnings ~background ~ambient lights objects))
 
 let ball surface = sphere (v 0. 0. 6.) 1. surface
 let no what color = check what [] [] [ ball (Surface.luminous color) ]
@@ -18,6 +19,12 @@ let test_where () =
        from 0 to 1 it is 0.529 0.808 0.922";
     ]
     ~background:(rgb 135. 206. 235.) [] [];
+  check "the ambient light"
+    [
+      "the ambient light has the colour 135 206 235, which looks like 0 to \
+       255; from 0 to 1 it is 0.529 0.808 0.922";
+    ]
+    ~ambient:(rgb 135. 206. 235.) [] [];
   check "a light"
     [
       "light 1 has the colour 255 255 255, which looks like 0 to 255; from 0 \

@@ -17,17 +17,21 @@ let bulb =
 
 (* How a light meets a surface. *)
 let meet ?(offset = 0.) light ~point ~normal =
-  let incidence = Light.create_incidence () in
+  let incidence = Incidence.create () in
   let faces =
-    Light.meet light (Spot.of_point ~point ~normal ~offset) incidence
+    Incidence.meet light 0 (Raw_ray.create ())
+      (Spot.of_point ~point ~normal ~offset)
+      incidence
   in
   Alcotest.(check bool) "faces" (incidence.cosine > 0.) faces;
   incidence
 
 (* What a light gives to what it meets so. *)
 let give light ~cosine ~falloff =
-  let color = Raw_color.create () in
-  Light.add light { cosine; falloff } color;
+  let color = Raw_color.create () and incidence = Incidence.create () in
+  incidence.cosine <- cosine;
+  incidence.falloff <- falloff;
+  Incidence.add light incidence color;
   Raw_color.to_color color
 
 let test_directional () =
@@ -36,7 +40,7 @@ let test_directional () =
   check_number "no fall-off" 1. incidence.falloff;
   (* 0.8 * 2 * (1, 0.5, 0) *)
   check_color "received" (rgb 1.6 0.8 0.)
-    (Light.received sun ~point:(v 7. 7. 7.) ~normal:up)
+    (Incidence.received sun ~point:(v 7. 7. 7.) ~normal:up)
 
 (* The light is 5 away, 4 of it along the normal: cosine 4/5, fall-off 1/25. *)
 let test_point () =
@@ -45,7 +49,7 @@ let test_point () =
   check_number "fall-off" 0.04 incidence.falloff;
   (* 0.8 * 0.04 * 50 * (1, 0.5, 0) *)
   check_color "received" (rgb 1.6 0.8 0.)
-    (Light.received bulb ~point:Vec3.zero ~normal:up)
+    (Incidence.received bulb ~point:Vec3.zero ~normal:up)
 
 let test_facing_away () =
   let down = dir 0. (-1.) 0. in
@@ -54,17 +58,17 @@ let test_facing_away () =
       let incidence = meet light ~point:Vec3.zero ~normal:down in
       check_number "negative cosine" (-0.8) incidence.cosine;
       check_color "nothing" Color.black
-        (Light.received light ~point:Vec3.zero ~normal:down))
+        (Incidence.received light ~point:Vec3.zero ~normal:down))
     [ sun; bulb ];
   check_color "along the surface" Color.black
-    (Light.received sun ~point:Vec3.zero ~normal:(dir 0. 0. 1.))
+    (Incidence.received sun ~point:Vec3.zero ~normal:(dir 0. 0. 1.))
 
 (* No square of a distance, no light. *)
 let test_at_the_light () =
   let none what ?offset light ~point =
     check_number what 0. (meet ?offset light ~point ~normal:up).cosine;
     if offset = None then
-      check_color what Color.black (Light.received light ~point ~normal:up)
+      check_color what Color.black (Incidence.received light ~point ~normal:up)
   in
   none "at the light" bulb ~point:(v 3. 4. 0.);
   let above y =
@@ -91,7 +95,7 @@ let test_give () =
   check_color "at most max_float" (rgb max_float 1e200 0.)
     (give blinding ~cosine:1. ~falloff:1.);
   check_color "so is what is received" (rgb max_float 1e200 0.)
-    (Light.received blinding ~point:Vec3.zero ~normal:up);
+    (Incidence.received blinding ~point:Vec3.zero ~normal:up);
   check_color "nothing of a channel stays nothing"
     (rgb max_float max_float 0.)
     (give blinding ~cosine:1. ~falloff:max_float)
@@ -102,7 +106,7 @@ let test_very_near () =
     Light.spherical ~intensity:1. ~color:Color.red ~position:(v 0. 1e-155 0.)
   in
   check_color "at most max_float" (rgb max_float 0. 0.)
-    (Light.received light ~point:Vec3.zero ~normal:up)
+    (Incidence.received light ~point:Vec3.zero ~normal:up)
 
 let test_values () =
   Alcotest.(check string) "name" "directional" (Light.name sun);
@@ -147,7 +151,7 @@ let finite =
         (Generate.vec3 Generate.extreme)
         (Generate.direction Generate.extreme))
     (fun (light, point, normal) ->
-      let c = Light.received light ~point ~normal in
+      let c = Incidence.received light ~point ~normal in
       List.for_all (fun x -> Float.is_finite x && x >= 0.) [ c.r; c.g; c.b ])
 
 let suite =

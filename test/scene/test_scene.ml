@@ -9,6 +9,7 @@ let () =
       Test_raw_lobes.suite;
       Test_lobes.suite;
       Test_light.suite;
+      Test_lamps.suite;
       Test_shadow_ray.suite;
       Test_viewpoint.suite;
       Test_camera.suite;

@@ -14,7 +14,8 @@ let test_directional () =
   in
   check_ray "upwards"
     (ray (v 5. 0.1 0.) (v (-3.) 4. 0.))
-    (Option.get (Light.shadow_ray sun ~point:(v 5. 0. 0.) ~normal ~offset:0.1))
+    (Option.get
+       (Incidence.shadow_ray sun ~point:(v 5. 0. 0.) ~normal ~offset:0.1))
 
 (* Whether what a shadow ray meets at distance [t] is in the way of the
    light. *)
@@ -27,7 +28,7 @@ let blocks shadow_ray t =
 let test_point () =
   let bulb = Light.spherical ~intensity:1. ~color ~position:(v 0. 4. 0.) in
   let shadow_ray =
-    Option.get (Light.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.1)
+    Option.get (Incidence.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.1)
   in
   Alcotest.check (Same.near 1e-14) "reach" 3.8 (Ray.reach shadow_ray);
   Alcotest.check Same.vec3 "towards the light" (v 0. 1. 0.)
@@ -49,7 +50,7 @@ let test_endless () =
     Light.directional ~intensity:1. ~color ~direction:(v 0. (-1.) 0.)
   in
   let shadow_ray =
-    Option.get (Light.shadow_ray sun ~point:Vec3.zero ~normal ~offset:0.1)
+    Option.get (Incidence.shadow_ray sun ~point:Vec3.zero ~normal ~offset:0.1)
   in
   Alcotest.(check bool) "far away" true (blocks shadow_ray 1e300);
   Alcotest.(check bool) "never" false (blocks shadow_ray infinity)
@@ -58,12 +59,12 @@ let test_none () =
   let bulb = Light.spherical ~intensity:1. ~color ~position:(v 0. 0.5 0.) in
   Alcotest.(check bool)
     "the light is where the ray starts" true
-    (Light.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.5 = None)
+    (Incidence.shadow_ray bulb ~point:Vec3.zero ~normal ~offset:0.5 = None)
 
 let test_far () =
   let shadow_ray y =
     let light = Light.spherical ~intensity:1. ~color ~position:(v 0. y 0.) in
-    Light.shadow_ray light ~point:Vec3.zero ~normal ~offset:0.
+    Incidence.shadow_ray light ~point:Vec3.zero ~normal ~offset:0.
   in
   Alcotest.check (Same.near 1e140) "as far as squares reach" 1e153
     (Ray.reach (Option.get (shadow_ray 1e153)));
@@ -82,8 +83,11 @@ let aimed light ~point ~normal ~offset =
   let raw = Raw_ray.create () in
   raw.reach <- 0.;
   let spot = Spot.of_point ~point ~normal ~offset in
+  let incidence = Incidence.create () in
+  ignore (Incidence.meet light 0 raw spot incidence : bool);
   Spot.start spot raw;
-  if Light.aim light spot raw then Some (Ray.of_raw raw) else None
+  if Incidence.aim light incidence spot raw then Some (Ray.of_raw raw)
+  else None
 
 (* By the light's own numbers: the ray starts off the point, goes against the
    light's direction or to its position, and ends [offset] before that. *)
@@ -101,9 +105,19 @@ let aims =
                (Vec3.neg (along :> Vec3.t))
                (Ray.direction ray :> Vec3.t)
           && Ray.reach ray = infinity
-      | Some ray, Spherical position ->
+      | Some ray, source ->
+          let goes_to =
+            match source with
+            | Spherical position | Spot { position; _ } -> near position
+            | Area pane ->
+                let { Pane.corner; edge; other; _ } = pane in
+                let u = Pane.across pane 0 ~seed:0.
+                and v = Pane.along pane 0 ~seed:0. in
+                near Vec3.Infix.(corner + (u * edge) + (v * other))
+            | Directional _ -> fun _ -> false
+          in
           near (Ray.origin ray) start
-          && near (Ray.at ray (Ray.reach ray +. offset)) position
+          && goes_to (Ray.at ray (Ray.reach ray +. offset))
           && abs_float (Vec3.length (Ray.direction ray :> Vec3.t) -. 1.)
              < 1e-14)
 
@@ -116,7 +130,7 @@ let one_mathematics =
         (Generate.direction Generate.extreme))
     (fun (light, point, normal) ->
       let offset = 1e-5 in
-      let pure = Light.shadow_ray light ~point ~normal ~offset in
+      let pure = Incidence.shadow_ray light ~point ~normal ~offset in
       compare pure (aimed light ~point ~normal ~offset) = 0)
 
 let suite =

@@ -181,6 +181,9 @@ let simple_surface number =
       pure Surface.reflective;
       map Surface.luminous (color number);
       map2
+        (fun sharpness c -> Surface.glossy ~sharpness c)
+        (at_least_0 number) (color number);
+      map2
         (fun index c -> Surface.refractive ~index c)
         (index number) (color number);
       map2
@@ -203,19 +206,48 @@ let surface number =
   in
   at_depth 3
 
+(* What numbers do not make shines from a point. *)
+let spot_light number ~intensity ~color =
+  let* position = vec3 number
+  and* target = vec3 number
+  and* a = float_range 0. 179.9
+  and* b = frequency [ (4, float_range 0. 179.9); (1, pure 0.) ] in
+  let inner = Float.min a b and outer = Float.max a b in
+  match Beam.make ~position ~target ~inner ~outer with
+  | Ok beam -> pure (Light.spot ~intensity ~color beam)
+  | Error _ -> pure (Light.spherical ~intensity ~color ~position)
+
+let area_light number ~intensity ~color =
+  let* corner = vec3 number
+  and* edge = vec3 number
+  and* other = frequency [ (4, vec3 number); (1, pure Vec3.zero) ]
+  and* count = 1 -- 3 in
+  match Pane.make ~corner ~edge ~other ~count with
+  | pane -> pure (Light.area ~intensity ~color pane)
+  | exception Invalid_argument _ ->
+      pure (Light.spherical ~intensity ~color ~position:corner)
+
 let light number =
   let* intensity = at_least_0 number
   and* color = color number
-  and* is_point = bool in
-  if is_point then
-    map
-      (fun position -> Light.spherical ~intensity ~color ~position)
-      (vec3 number)
-  else
-    map
-      (fun (d : Direction.t) ->
-        Light.directional ~intensity ~color ~direction:(d :> Vec3.t))
-      (direction number)
+  and* is_unfading = frequency [ (5, pure false); (1, pure true) ] in
+  let* light =
+    frequency
+      [
+        ( 3,
+          map
+            (fun position -> Light.spherical ~intensity ~color ~position)
+            (vec3 number) );
+        ( 3,
+          map
+            (fun (d : Direction.t) ->
+              Light.directional ~intensity ~color ~direction:(d :> Vec3.t))
+            (direction number) );
+        (2, spot_light number ~intensity ~color);
+        (2, area_light number ~intensity ~color);
+      ]
+  in
+  pure (if is_unfading then Light.unfading light else light)
 
 let object_ number =
   let plain =
@@ -278,7 +310,10 @@ let scene ?max_side number =
   and* film = film
   and* lens = lens number
   and* background = color number
+  and* ambient = frequency [ (3, pure Color.black); (1, color number) ]
   and* ray_depth = 0 -- 6
   and* lights = list_size (0 -- 4) (light number)
   and* objects = list_size (0 -- 6) (object_ number) in
-  pure (Scene.make ~lens ~film ~background ~ray_depth ~lights ~objects camera)
+  pure
+    (Scene.make ~lens ~film ~background ~ambient ~ray_depth ~lights ~objects
+       camera)

@@ -139,18 +139,19 @@ Words
   save "FILE"   writes it as .bmp, .png or .ppm
   
   Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
-  sphere, plane, box, cylinder, cone, torus, disc, triangle, quad, diffusive,
-  reflective, luminous, glossy, refractive, glass, mixed and tinted, as in a
-  scene file; put together by union, intersection and difference; random, noise
-  and turbulence are its numbers:
+  spot, area, sphere, plane, box, cylinder, cone, torus, disc, triangle, quad,
+  diffusive, reflective, luminous, glossy, refractive, glass, mixed and tinted,
+  as in a scene file; put together by union, intersection and difference;
+  unfading is for lights; random, noise and turbulence are its numbers:
   
   use (Scene.make camera
          ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]
          ~objects:[ sphere (vec 0. 0. 6.) 1. (diffusive red) ])
   
   Scene.with_ray_depth 6 (scene ()) is the scene with one thing changed. Others
-  are with_background, with_lights, with_objects, with_camera, with_lens and
-  with_film: Scene.with_film (Film.make ~samples:16 ()) (scene ()) is smooth.
+  are with_background, with_ambient, with_lights, with_objects, with_camera,
+  with_lens and with_film: Scene.with_film (Film.make ~samples:16 ()) (scene ())
+  is smooth.
   looking (vec 3. 2. (-4.)) (vec 0. 0. 0.) camera is a camera elsewhere.
   $ sed -n 's/^val \([a-z]*\) .*/\1/p' ../../lib/toplevel/explore.mli | sort > words
   $ sed '/^$/,$d; s/ .*//' help | sort | diff - words

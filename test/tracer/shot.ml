@@ -2,9 +2,10 @@ open Raylab_scene
 open Raylab_tracer
 open Test_support
 
-let centre ?background ?ray_depth ?lights objects =
+let centre ?background ?ambient ?ray_depth ?lights objects =
   let scene =
-    Scene.make ?background ?ray_depth ?lights ~objects (Build.camera ())
+    Scene.make ?background ?ambient ?ray_depth ?lights ~objects
+      (Build.camera ())
   in
   Tracer.color (Prepared.make scene)
     (Camera.primary_ray scene.camera ~x:0 ~y:0)

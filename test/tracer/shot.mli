@@ -5,6 +5,7 @@ open Raylab_tracer
 
 val centre :
   ?background:Color.t ->
+  ?ambient:Color.t ->
   ?ray_depth:int ->
   ?lights:Light.t list ->
   Object.t list ->

@@ -29,7 +29,7 @@ let expected (scene : Scene.t) ray =
       let outward = Shape.normal shape ~part point in
       let along = Vec3.dot (outward :> Vec3.t) (Ray.direction ray :> Vec3.t) in
       let normal = if along > 0. then Direction.neg outward else outward in
-      Light.received (List.hd scene.lights) ~point ~normal
+      Incidence.received (List.hd scene.lights) ~point ~normal
 
 (* [check what ~least scene] looks at every pixel: one that hits the object
    where it faces the light is lit. At least [least] of them do. *)

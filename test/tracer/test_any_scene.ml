@@ -29,12 +29,13 @@ let ray_is_pixel =
   Property.holds "a pixel of one sample is its primary ray" ~count:200 ~print
     (Generate.scene Generate.everyday) (fun scene ->
       let film = Film.with_samples 1 scene.film in
-      let prepared = Prepared.make (Scene.with_film film scene) in
+      let scene = Scene.with_film film scene in
+      let prepared = Prepared.make scene in
       let { Camera.width; height; _ } = scene.camera in
       let x = width / 2 and y = height / 3 in
       Color.equal
         (Tracer.pixel prepared ~x ~y)
-        (Tracer.color prepared (Camera.primary_ray scene.camera ~x ~y)
+        (Tracer.color prepared (Sample_ray.make scene ~x ~y 0)
         |> Film.expose film))
 
 (* A grey scene is grey in every pixel, to the last bit: see Grey. *)

@@ -1,5 +1,6 @@
 (* Colours of the ray from (0, 0, -1) along the z axis. *)
 
+open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -8,7 +9,9 @@ open Build
 let check = Alcotest.check (Same.color_near 1e-12)
 let wall surface = plane (v 0. 0. 4.) (v 0. 0. 1.) surface
 let half = Surface.diffusive (rgb 0.5 1. 0.25)
-let lit ?background lights objects = Shot.centre ?background ~lights objects
+
+let lit ?background ?ambient lights objects =
+  Shot.centre ?background ?ambient ~lights objects
 
 (* The sphere is hit at (0, 0, 4), 5 from the light at the eye, which it faces:
    10 / 25 * (0.5, 1, 0.25). *)
@@ -61,6 +64,63 @@ let test_background () =
   check "only behind" background
     (lit ~background [] [ plane (v 0. 0. (-2.)) (v 0. 0. 1.) half ])
 
+(* Ambient light has no direction and no shadow. *)
+let test_ambient () =
+  let ambient = rgb 0.2 0.1 0.4 in
+  check "alone" (rgb 0.1 0.1 0.1) (lit ~ambient [] [ wall half ]);
+  check "with a sun: half * (ambient + 1)" (rgb 0.6 1.1 0.35)
+    (lit ~ambient [ Shot.sun 0. 0. 1. ] [ wall half ]);
+  check "in a shadow" (rgb 0.1 0.1 0.1)
+    (lit ~ambient
+       [ Shot.bulb 0. 8. (-4.) ]
+       [ wall half; sphere (v 0. 4. 0.) 1. half ]);
+  check "not where nothing is diffused" (rgb 0.5 0.5 0.5)
+    (lit ~ambient [] [ wall (Surface.luminous (grey 0.5)) ]);
+  check "not in the background" Color.black (lit ~ambient [] [])
+
+(* The wall is hit at (0, 0, 4). Far above before it lie two points on the way
+   to which is a quad that hides one half of the light, whatever the place of
+   the points in their cells: an unfading light of 2 x 2 points, of which two
+   are seen, each at a cosine of 1 to a part in a million. *)
+let test_area () =
+  let light =
+    Light.unfading
+      (Light.area ~intensity:1. ~color:Color.white
+         (Pane.make ~corner:(v (-1.) (-1.) (-9996.)) ~edge:(v 2. 0. 0.)
+            ~other:(v 0. 2. 0.) ~count:2))
+  and near = Alcotest.check (Same.color_near 1e-6)
+  and screen =
+    Object.make
+      (Shape.quad ~corner:(v 0. (-5.) (-5000.)) ~edge:(v 5. 0. 0.)
+         ~other:(v 0. 10. 0.))
+      half
+  in
+  near "all of it" (rgb 0.5 1. 0.25) (lit [ light ] [ wall half ]);
+  near "half of it" (rgb 0.25 0.5 0.125) (lit [ light ] [ wall half; screen ])
+
+(* What lights give adds up. *)
+let sums =
+  Property.holds "each light adds what it gives alone" ~count:300
+    ~print:(Property.show Scene.pp)
+    (Generate.scene ~max_side:4 Generate.everyday) (fun scene ->
+      let with_lights lights =
+        Scene.make ~ray_depth:1 ~lights ~objects:scene.objects scene.camera
+        |> Prepared.make
+      in
+      let color lights ray = Tracer.color (with_lights lights) ray in
+      let is_sum ray =
+        let dark = color [] ray in
+        let difference (a : Color.t) (b : Color.t) =
+          rgb (a.r -. b.r) (a.g -. b.g) (a.b -. b.b)
+        in
+        let alone light = difference (color [ light ] ray) dark in
+        let sum =
+          List.fold_left Color.add dark (List.map alone scene.lights)
+        in
+        Alcotest.equal (Same.color_near 1e-6) sum (color scene.lights ray)
+      in
+      Seq.for_all is_sum (Camera.primary_rays scene.camera))
+
 let test_over_exposed () =
   let color = lit [ Shot.sun ~intensity:10. 0. 0. 1. ] [ wall half ] in
   check "the colour goes on" (rgb 5. 10. 2.5) color;
@@ -92,6 +152,9 @@ let suite =
       Alcotest.test_case "planes have two sides" `Quick test_two_sides;
       Alcotest.test_case "luminous" `Quick test_luminous;
       Alcotest.test_case "background" `Quick test_background;
+      Alcotest.test_case "ambient light" `Quick test_ambient;
+      Alcotest.test_case "area light" `Quick test_area;
+      sums;
       Alcotest.test_case "over-exposure" `Quick test_over_exposed;
       Alcotest.test_case "greyscale" `Quick test_grey;
     ] )

@@ -29,7 +29,7 @@ let moved_camera motion (camera : Camera.t) =
 
 let moved motion (scene : Scene.t) =
   Scene.make ~lens:scene.lens ~film:scene.film ~background:scene.background
-    ~ray_depth:scene.ray_depth
+    ~ambient:scene.ambient ~ray_depth:scene.ray_depth
     ~lights:(List.map (Light.transformed motion) scene.lights)
     ~objects:(List.map (Object.transformed motion) scene.objects)
     (moved_camera motion scene.camera)

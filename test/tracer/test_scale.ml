@@ -15,12 +15,14 @@ let scale_object k (o : Object.t) =
   | _ -> Object.transformed Change.(of_modifiers [ Scaled k ]) o
 
 let scale_light k (light : Light.t) =
-  match light.source with
-  | Directional _ -> light
-  | Spherical position ->
-      Light.spherical
-        ~intensity:(k *. k *. light.intensity)
-        ~color:light.color ~position:(Vec3.scale k position)
+  let fades =
+    match light.source with
+    | Directional _ -> false
+    | Spherical _ | Spot _ | Area _ -> not light.is_unfading
+  in
+  let squared = if fades then k *. k else 1. in
+  Light.transformed Change.(of_modifiers [ Scaled k ]) light
+  |> Light.map_color (Color.scale squared)
 
 let scale_camera k (camera : Camera.t) =
   let { Camera.width; height; canvas_width; canvas_height; depth; _ } = camera
@@ -37,7 +39,7 @@ let scale_camera k (camera : Camera.t) =
 
 let scale k (scene : Scene.t) =
   Scene.make ~film:scene.film ~background:scene.background
-    ~ray_depth:scene.ray_depth
+    ~ambient:scene.ambient ~ray_depth:scene.ray_depth
     ~lights:(List.map (scale_light k) scene.lights)
     ~objects:(List.map (scale_object k) scene.objects)
     (scale_camera k scene.camera)

@@ -17,7 +17,7 @@ let ( ++ ) = Color.add
 
 (* {1 Rays} *)
 
-type ray = { o : Vec3.t; d : Vec3.t; rho : float }
+type ray = { o : Vec3.t; d : Vec3.t; rho : float; seed : float }
 
 let at { o; d; _ } t = o + (t * d)
 let mirrored d n = d - (2. *. dot d n * n)
@@ -408,12 +408,25 @@ type refraction = {
 type lobes = {
   e : Color.t;
   a : Color.t;
+  shines : (float * Color.t) list;
   m : Color.t;
   refractions : refraction list;
 }
 
 let nothing =
-  { e = Color.black; a = Color.black; m = Color.black; refractions = [] }
+  {
+    e = Color.black;
+    a = Color.black;
+    shines = [];
+    m = Color.black;
+    refractions = [];
+  }
+
+let rec join_shines shines (s, c) =
+  match shines with
+  | [] -> [ (s, c) ]
+  | (s', c') :: rest when s = s' -> (s, c' ++ c) :: rest
+  | first :: rest -> first :: join_shines rest (s, c)
 
 let sum_of_refractions r r' =
   {
@@ -434,6 +447,7 @@ let plus l l' =
   {
     e = l.e ++ l'.e;
     a = l.a ++ l'.a;
+    shines = List.fold_left join_shines l.shines l'.shines;
     m = l.m ++ l'.m;
     refractions = List.fold_left join l.refractions l'.refractions;
   }
@@ -451,6 +465,7 @@ let times k l =
   {
     e = times l.e;
     a = times l.a;
+    shines = List.map (fun (s, c) -> (s, times c)) l.shines;
     m = times l.m;
     refractions = List.map of_refraction l.refractions;
   }
@@ -461,7 +476,8 @@ let rec denotes (surface : Surface.t) =
   | Diffusive c -> { nothing with a = c }
   | Reflective -> { nothing with m = Color.white }
   | Luminous c -> { nothing with e = c }
-  | Glossy _ -> invalid_arg "not made here"
+  | Glossy { sharpness; color } ->
+      { nothing with shines = [ (sharpness, color) ] }
   | Refractive { index; color } ->
       let r = { index; plain = color; fresnel = black; glass = black } in
       { nothing with refractions = [ r ] }
@@ -486,21 +502,48 @@ let fresnel (eta, c, c') =
 
 (* {1 Light} *)
 
-(* L and f *)
-let towards (light : Light.t) p =
-  match light.source with
-  | Directional along -> (-(along :> Vec3.t), 1.)
-  | Spherical s -> (unit (s - p), 1. /. dot (s - p) (s - p))
+(* Of one point of a light: where it is, unless far away, and what of its light
+   goes along a way. *)
+type lamp = { place : Vec3.t option; travels : Vec3.t; cone : Vec3.t -> float }
 
-let received (light : Light.t) p n =
-  let l, f = towards light p in
-  let cosine = Float.max 0. (dot n l) in
-  Color.scale (cosine *. f *. light.intensity) light.color
+let everywhere _ = 1.
+let at_point s = { place = Some s; travels = Vec3.zero; cone = everywhere }
+let cosine degrees = cos (degrees *. Float.pi /. 180.)
 
-let shadow_ray (light : Light.t) a e =
+let cone { Beam.position; target; inner; outer; _ } way =
+  let c = dot (unit way) (unit (target - position)) in
+  let t = (c -. cosine outer) /. (cosine inner -. cosine outer) in
+  if c >= cosine inner then 1.
+  else if c <= cosine outer then 0.
+  else (3. *. (t ** 2.)) -. (2. *. (t ** 3.))
+
+let lamps seed (light : Light.t) =
   match light.source with
-  | Directional along -> { o = a; d = -(along :> Vec3.t); rho = infinity }
-  | Spherical s -> { o = a; d = unit (s - a); rho = length (s - a) -. e }
+  | Directional along ->
+      [ { place = None; travels = (along :> Vec3.t); cone = everywhere } ]
+  | Spherical s -> [ at_point s ]
+  | Spot beam -> [ { (at_point beam.position) with cone = cone beam } ]
+  | Area ({ corner; edge; other; count } as pane) ->
+      List.init (Int.mul count count) (fun k ->
+          let u = Pane.across pane k ~seed and v = Pane.along pane k ~seed in
+          at_point (corner + (u * edge) + (v * other)))
+
+(* With what there is in the place of the cosine. *)
+let received (light : Light.t) { place; travels; cone } p n instead =
+  let l, f =
+    match place with
+    | None -> (-travels, 1.)
+    | Some s ->
+        let d2 = dot (s - p) (s - p) in
+        (unit (s - p), if light.is_unfading then 1. else 1. /. d2)
+  in
+  if dot n l <= 0. then Color.black
+  else Color.scale (instead l *. f *. cone (-l) *. light.intensity) light.color
+
+let shadow_ray { place; travels; _ } a e =
+  match place with
+  | None -> { o = a; d = -travels; rho = infinity; seed = 0. }
+  | Some s -> { o = a; d = unit (s - a); rho = length (s - a) -. e; seed = 0. }
 
 (* What a surface lets through of light that comes along d. *)
 let lets_through surface d n =
@@ -526,13 +569,19 @@ let rec visible scene objects ray =
       if Color.largest part = 0. then Color.black
       else Color.multiply part (visible scene objects behind)
 
-let light scene p n e =
+let light scene p n e seed instead =
   let casting = List.filter (fun (o : Object.t) -> not o.is_shadowless) in
   let objects = casting scene.Scene.objects in
   let gives light =
-    Color.multiply
-      (visible scene objects (shadow_ray light (p + (e * n)) e))
-      (received light p n)
+    let lamps = lamps seed light in
+    let gives lamp =
+      Color.multiply
+        (visible scene objects (shadow_ray lamp (p + (e * n)) e))
+        (received light lamp p n instead)
+    in
+    Color.scale
+      (1. /. float_of_int (List.length lamps))
+      (List.fold_left ( ++ ) Color.black (List.map gives lamps))
   in
   List.fold_left ( ++ ) Color.black (List.map gives scene.lights)
 
@@ -540,8 +589,8 @@ let light scene p n e =
 
 (* What goes on, each with its weight: the mirrored ray and the refracted
    ones. *)
-let sent_on { m; refractions; _ } p d n e ~is_outside =
-  let leave side d = { o = p + (side *. e * n); d; rho = infinity } in
+let sent_on { m; refractions; _ } p ({ d; _ } as ray) n e ~is_outside =
+  let leave side d = { ray with o = p + (side *. e * n); d; rho = infinity } in
   let refraction (m, others) r =
     match snell r.index d n ~is_outside with
     | None -> (m ++ r.plain ++ r.fresnel, others)
@@ -570,14 +619,22 @@ let rec trace ?(share = 1.) (scene : Scene.t) left ray =
       let outward = sign * outward shape p in
       let n = facing ray outward and e = offset scene (size shape) p ray in
       let is_outside = dot ray.d outward <= 0. and lobes = denotes surface in
-      let sent = sent_on lobes p ray.d n e ~is_outside in
+      let sent = sent_on lobes p ray n e ~is_outside in
       let shares =
         shared share (List.map (fun (w, _) -> Color.largest w) sent)
+      in
+      let light = light scene p n e ray.seed in
+      let diffused = scene.ambient ++ light (dot n)
+      and shine (s, c) =
+        let power l = Float.max 0. (dot (mirrored ray.d n) l) ** s in
+        Color.multiply c (light power)
       in
       List.fold_left2
         (fun sum (weight, ray) share ->
           sum ++ Color.multiply weight (trace ~share scene (pred left) ray))
-        (lobes.e ++ Color.multiply lobes.a (light scene p n e))
+        (List.fold_left ( ++ )
+           (lobes.e ++ Color.multiply lobes.a diffused)
+           (List.map shine lobes.shines))
         sent shares
 
 (* {1 Pixels} *)
@@ -600,15 +657,15 @@ let sight ({ Camera.width; height; _ } as camera) x y x' y' =
     place canvas_height height (Int.sub (pred height) y) (1. -. y')
   in
   let q = eye + (depth * f) + (across * r) + (above * u) in
-  { o = eye; d = unit (q - eye); rho = infinity }
+  { o = eye; d = unit (q - eye); rho = infinity; seed = 0. }
 
 let exposed (scene : Scene.t) c =
   let channel v = Float.min 1. (scene.film.exposure *. v) in
   Color.make (channel c.Color.r) (channel c.g) (channel c.b)
 
-let through_lens (scene : Scene.t) pixel k { o; d; rho } =
+let through_lens (scene : Scene.t) pixel k ({ o; d; _ } as ray) =
   let { Lens.aperture; focus } = scene.lens in
-  if scene.film.samples = 1 || aperture = 0. then { o; d; rho }
+  if scene.film.samples = 1 || aperture = 0. then ray
   else
     let _, _, depth = canvas scene.camera and r, u, f = frame scene.camera in
     let psi = Option.value focus ~default:depth in
@@ -616,7 +673,7 @@ let through_lens (scene : Scene.t) pixel k { o; d; rho } =
     let radius = aperture *. sqrt (Spread.lens pixel k) in
     let l = o + (radius * ((cos turn * r) + (sin turn * u))) in
     let z = o + (psi /. dot d f * d) in
-    { o = l; d = unit (z - l); rho }
+    { ray with o = l; d = unit (z - l) }
 
 let sample (scene : Scene.t) x y k =
   let pixel = Spread.of_pixel ~x ~y in
@@ -624,6 +681,7 @@ let sample (scene : Scene.t) x y k =
     if k = 0 then (0.5, 0.5) else (Spread.across pixel k, Spread.down pixel k)
   in
   let ray = through_lens scene pixel k (sight scene.camera x y u v) in
+  let ray = { ray with seed = Spread.seed pixel k } in
   exposed scene (trace scene scene.ray_depth ray)
 
 let curve v =

@@ -79,6 +79,8 @@ let any_scene =
       let tally domains = snd (Render.picture ~domains prepared) in
       let one = tally 1 in
       let { Camera.width; height; _ } = scene.camera in
+      let add sum light = sum + Light.points light in
+      let points = List.fold_left add 0 scene.lights in
       let { Film.samples; _ } = scene.film and pixels = width * height in
       pixels <= one.samples
       && one.samples <= samples * pixels
@@ -86,7 +88,7 @@ let any_scene =
       && (samples > 1 || one.primary = pixels)
       && one.blocked <= one.shadow
       && one.hits <= one.primary + one.reflected + one.refracted
-      && one.shadow <= one.hits * List.length scene.lights
+      && one.shadow <= one.hits * points
       && show one = show (tally 3))
 
 let suite =

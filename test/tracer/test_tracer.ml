@@ -6,6 +6,7 @@ let () =
       Test_hit.suite;
       Test_visibility.suite;
       Test_lighting.suite;
+      Test_shine.suite;
       Test_shadows.suite;
       Test_mirrors.suite;
       Test_glass.suite;
