@@ -12,6 +12,7 @@ let ask ?samples scene x y why ~summary ~tree =
   { scene; samples; x; y; why; summary; tree }
 
 let ask_smooth = ask ~samples:16
+let ask_plain = ask ~samples:1
 
 let all =
   [
@@ -387,4 +388,54 @@ let all =
           "intersection 30";
         ]
       ~tree:[ "through" ];
+    (* The centres alone: [window] has 16 samples, of which each sees the light
+       elsewhere. *)
+    ask_plain "window" 40 130
+      "Why does the window glow, if lights are not seen?"
+      ~summary:[ "a luminous"; "quad (object 6, line 32)" ]
+      ~tree:[ "emitted rgb 0.85 0.93 1" ];
+    ask_plain "window" 500 305 "Why is the table so bright under the lamp?"
+      ~summary:
+        [ "(object 14, line 44)"; "lit by light 2"; "and by ambient light" ]
+      ~tree:
+        [
+          "t = 3.05993";
+          "cone 1 (16.6908 degrees from the axis)";
+          "ambient light: rgb 0.05 0.047 0.043";
+        ];
+    ask_plain "window" 440 312 "Why is it less bright here?"
+      ~summary:
+        [
+          "(object 14, line 44)";
+          "at the edge of the cone of light 2, 26.1 degrees from its axis";
+        ]
+      ~tree:[ "cone 0.914488 (26.0797 degrees from the axis)" ];
+    ask_plain "window" 240 290 "Why is the other end of the table not warm?"
+      ~summary:
+        [
+          "(object 14, line 44)";
+          "of 25 points of light 1";
+          "outside of the cone of light 2, 46.3 degrees from its axis";
+        ]
+      ~tree:[ "outside of the cone, 46.2671 degrees from the axis" ];
+    ask_plain "window" 330 15 "Does the lamp light the ceiling?"
+      ~summary:
+        [
+          "plane (object 2, line 26)";
+          "and by ambient light";
+          "outside of the cone of light 2, 117 degrees from its axis";
+        ]
+      ~tree:[ "t = 4.86995"; "116.795 degrees from the axis" ];
+    ask_plain "window" 420 400 "Why is the shadow under the table so soft?"
+      ~summary:
+        [
+          "plane (object 1, line 25)";
+          "of 25 points of light 1, while";
+          "box 14 (line 44)";
+          "in the shadow of box 14 (line 44) from light 2";
+        ]
+      ~tree:[ "t = 3.55875"; "together they give"; "divided by 25" ];
+    ask_plain "window" 363 267 "What is the pale spot on the apple?"
+      ~summary:[ "(sphere 22, line 57)"; "in the highlight of light 1" ]
+      ~tree:[ "to the highlight of sharpness 120" ];
   ]

@@ -15,7 +15,12 @@
     from its picture.
 
     Those about glass were answered by a tracer of a page in another language,
-    with the words for it made up beforehand; all stood. *)
+    with the words for it made up beforehand; all stood.
+
+
+    Those about [window] were answered from its text and picture, with points
+    and angles worked out by another program. One word was put right, for how a
+    mix is named. *)
 
 type t = {
   scene : string;  (** the file in [scenes/], without [.scene] *)

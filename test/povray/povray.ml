@@ -64,7 +64,6 @@ let write_light channel camera (light : Light.t) =
         (color power)
   | Spherical position -> write_point channel scale light position ""
   | Spot { position; target; inner; outer; _ } ->
-      (* its edge is made in the angle, not in the cosine: see figures *)
       Printf.sprintf "spotlight point_at %s radius %s falloff %s tightness 0"
         (vector target) (number inner) (number outer)
       |> write_point channel scale light position
@@ -72,11 +71,16 @@ let write_light channel camera (light : Light.t) =
       let shrunk = float_of_int (count - 1) /. float_of_int count in
       let inner = Vec3.scale shrunk in
       let middle = Vec3.(add corner (scale 0.5 (add edge other))) in
-      Printf.sprintf "area_light %s,%s,%d,%d area_illumination on jitter"
+      Printf.sprintf "area_light %s,%s,%d,%d area_illumination on"
         (vector (inner edge))
         (vector (inner other))
         count count
       |> write_point channel scale light middle
+
+(* Grey, and one: what POV-Ray's Phong highlights can be. *)
+let highlight { Lobes.sharpness; shine = { r; g; b } } =
+  if r <> g || g <> b then invalid_arg "POV-Ray: a coloured highlight";
+  Printf.sprintf " phong %s phong_size %s" (number r) (number sharpness)
 
 (* All of one kind and one colour; shadows are weakened as here. *)
 let write_clear channel { Lobes.plain; fresnel; glass; _ } =
@@ -86,19 +90,20 @@ let write_clear channel { Lobes.plain; fresnel; glass; _ } =
     (number r) (number g) (number b)
     (if is_glass then " reflection{1 fresnel} conserve_energy" else "")
 
-let write_plain channel { Lobes.emission; albedo; mirror; _ } =
+let write_plain channel { Lobes.emission; albedo; mirror; highlights; _ } =
   let is_black = Color.equal Color.black in
   let reflection =
     if is_black mirror then ""
     else Printf.sprintf " reflection{rgb%s}" (color mirror)
   in
   let finish pigment kind =
-    Printf.fprintf channel " pigment{rgb%s}finish{%s%s}}\n" (color pigment)
+    Printf.fprintf channel " pigment{rgb%s}finish{%s%s%s}}\n" (color pigment)
       kind reflection
+      (String.concat "" (List.map highlight highlights))
   in
   match (is_black emission, is_black albedo) with
   | true, true -> finish Color.black "diffuse 0"
-  | true, false -> finish albedo "diffuse 1"
+  | true, false -> finish albedo "diffuse 1 ambient 1"
   | false, true -> finish emission "diffuse 0 emission 1"
   | false, false -> invalid_arg "POV-Ray: a luminous and diffusive surface"
 
@@ -199,10 +204,12 @@ let write_object channel (o : Object.t) =
 let write channel (scene : Scene.t) =
   Printf.fprintf channel
     "#version 3.7;\n\
-     global_settings { assumed_gamma 1 max_trace_level %d adc_bailout 0 }\n\
+     global_settings { assumed_gamma 1 max_trace_level %d adc_bailout 0\n\
+    \                  ambient_light rgb %s }\n\
      #default { finish { ambient 0 } }\n\
      background { rgb %s }\n"
     (Int.max 1 (Int.min 256 scene.ray_depth))
+    (color scene.ambient)
     (color scene.background);
   write_camera channel scene.camera;
   List.iter (write_light channel scene.camera) scene.lights;
