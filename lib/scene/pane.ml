@@ -26,7 +26,7 @@ let golden = 0x1.3c6ef372fe95p-1
 let mask = 0x3FFFFFFF
 
 let[@inline] random seed salt =
-  let h = Hash.mix (int_of_float seed land mask lxor salt) in
+  let h = Hash.mix (Hash.mix (int_of_float seed land mask) lxor salt) in
   (float_of_int h +. 0.5) *. 0x1p-30
 
 let[@inline] fraction x = x -. float_of_int (int_of_float x)

@@ -100,6 +100,38 @@ let test_body () =
   let _, svg = draw scene in
   check_count "24 pieces in each of two panels" 48 {|stroke-width="0.5"|} svg
 
+(* A parallelogram is one in both panels, seen from its edge in one of them; of a
+   cone there are two sides and a rim. An area light of 2 x 2 has four shadow
+   rays. *)
+let test_lamps () =
+  let wall = plane (v 0. 0. 4.) (v 0. 0. 1.) white in
+  let svg lights =
+    snd (draw (Scene.make ~lights ~objects:[ wall ] (camera ())))
+  in
+  let area =
+    Light.area ~intensity:9. ~color:Color.white
+      (Pane.make ~corner:(v (-1.) 2. 0.) ~edge:(v 2. 0. 0.) ~other:(v 0. 0. 2.)
+         ~count:2)
+  and spot outer =
+    Light.spot ~intensity:9. ~color:Color.white
+      (Beam.make_exn ~position:(v 0. 1. 0.) ~target:(v 0. 0. 3.) ~inner:5.
+         ~outer)
+  in
+  let dashed = {|stroke-dasharray="6 4"|} in
+  check_count "rays to its points" ((2 * 4) + 2) dashed (svg [ area ]);
+  check_count "its name" 2 ">light 1</text>" (svg [ area ]);
+  let pen = {|stroke="#b26a00"|} in
+  let lines outer = count pen (svg [ spot outer ]) in
+  Alcotest.(check bool) "a cone" true (lines 20. > lines 120. + 10);
+  Alcotest.(check int)
+    "none as wide as half of space" (lines 120.)
+    (count pen
+       (svg
+          [
+            Light.spherical ~intensity:9. ~color:Color.white
+              ~position:(v 0. 1. 0.);
+          ]))
+
 (* {1 Any scene} *)
 
 let is_sound svg =
@@ -157,5 +189,6 @@ let suite =
       Alcotest.test_case "glass" `Quick test_glass;
       Alcotest.test_case "a piece of a plane" `Quick test_patch;
       Alcotest.test_case "a body" `Quick test_body;
+      Alcotest.test_case "lamps" `Quick test_lamps;
     ]
     @ sound )

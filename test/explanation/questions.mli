@@ -17,7 +17,6 @@
     Those about glass were answered by a tracer of a page in another language,
     with the words for it made up beforehand; all stood.
 
-
     Those about [window] were answered from its text and picture, with points
     and angles worked out by another program. One word was put right, for how a
     mix is named. *)

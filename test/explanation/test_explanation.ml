@@ -3,6 +3,7 @@ let () =
     [
       Test_words.suite;
       Test_summary.suite;
+      Test_illumination.suite;
       Test_questions.suite;
       Test_swatch.suite;
       Test_report.suite;
