@@ -223,7 +223,7 @@ let solid_leaf scope random = shape scope random ^ " " ^ surface scope 1 random
 
 let leaf scope random =
   modified scope random
-    (match up_to random 7 with
+    (match up_to random 9 with
     | 0 -> flat scope random ^ " " ^ surface scope 1 random
     | 1 ->
         sprintf "spherical %s %s %s" (positive scope random)
@@ -232,6 +232,12 @@ let leaf scope random =
         sprintf "directional 0.8 %s 1 %s -1" (color scope random)
           (positive scope random)
     | 3 | 4 -> solid_leaf scope random
+    | 5 ->
+        sprintf "spot %s %s 0 3 0 %s 10 (10 * 2) unfading"
+          (positive scope random) (color scope random) (triple scope random)
+    | 6 ->
+        sprintf "area %s %s %s 1 0 0 0 %s 1 2" (positive scope random)
+          (color scope random) (triple scope random) (positive scope random)
     | _ ->
         sprintf "sphere %s %s %s" (triple scope random) (positive scope random)
           (surface scope 2 random))
