@@ -166,7 +166,7 @@ let text state (lexbuf : Lexing.lexbuf) text =
 
 let number (lexbuf : Lexing.lexbuf) =
   Parser.NUMBER
-    (Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
+    (Raylab_source.Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
        ~stop:lexbuf.lex_curr_pos)
 
 (* {1 Words in brackets} *)

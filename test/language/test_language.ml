@@ -1,7 +1,6 @@
 let () =
   Alcotest.run "language"
     [
-      Test_decimal.suite;
       Test_lexer.suite;
       Test_keyword.suite;
       Test_suggestion.suite;

@@ -1,0 +1,20 @@
+(** Files of meshes: from bytes to a mesh, or what is wrong with them. *)
+
+open Raylab_geometry
+
+(** The type for formats. *)
+type format =
+  | Obj  (** Wavefront: {!module-Obj} *)
+  | Ply  (** Stanford: {!module-Ply} *)
+  | Stl  (** stereolithography: {!module-Stl} *)
+
+val formats : (string * format) list
+(** [formats] is the extensions of names of files: [obj], [ply], [stl]. *)
+
+val format_of_name : string -> format option
+(** [format_of_name name] is the format that the extension of [name] tells, in
+    whatever case it is. *)
+
+val read : format -> string -> (Facets.t * string list, Fault.t) result
+(** [read format bytes] is the mesh in [bytes] and warnings: what the file has
+    and raylab cannot use, a sentence each, without a full stop. *)
