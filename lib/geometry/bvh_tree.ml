@@ -22,8 +22,6 @@ let[@inline] leaf_first code = lnot code / (2 * max_leaf)
 let[@inline] leaf_last code =
   leaf_first code + (lnot code / 2 land (max_leaf - 1))
 
-let max_depth = Bvh_split.max_depth
-
 (* {1 Boxes} *)
 
 (* A ray that touches a shape may, by rounding errors, pass its box by a

@@ -31,9 +31,6 @@ val leaf_first : int -> int
 val leaf_last : int -> int
 (** [leaf_last code] is the place of the leaf's last shape. *)
 
-val max_depth : int
-(** [max_depth] is a bound on the number of inner nodes above any leaf. *)
-
 val build : domains:int -> Bvh_leaves.t -> t
 (** [build ~domains leaves] is the tree over these shapes, which it brings into
     the order of the leaves; split as {!Bvh_split} chooses. *)

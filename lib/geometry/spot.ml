@@ -5,6 +5,9 @@ type t = {
   mutable nx : float;
   mutable ny : float;
   mutable nz : float;
+  mutable shading_x : float;
+  mutable shading_y : float;
+  mutable shading_z : float;
   mutable own_x : float;
   mutable own_y : float;
   mutable own_z : float;
@@ -21,6 +24,9 @@ let create () =
     nx = 0.;
     ny = 1.;
     nz = 0.;
+    shading_x = 0.;
+    shading_y = 1.;
+    shading_z = 0.;
     own_x = 0.;
     own_y = 0.;
     own_z = 0.;
@@ -39,10 +45,16 @@ let[@inline] set_own spot x y z =
   spot.own_y <- y;
   spot.own_z <- z
 
+let[@inline] set_shading_normal spot x y z =
+  spot.shading_x <- x;
+  spot.shading_y <- y;
+  spot.shading_z <- z
+
 let[@inline] set_normal spot x y z =
   spot.nx <- x;
   spot.ny <- y;
-  spot.nz <- z
+  spot.nz <- z;
+  set_shading_normal spot x y z
 
 let[@inline] turn_to spot (ray : Raw_ray.t) =
   let { nx; ny; nz; _ } = spot in

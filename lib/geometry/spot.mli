@@ -12,6 +12,11 @@ type t = {
   mutable nz : float;
       (** the unit normal, of the flat surface: outward as the shape writes it,
           after {!turn_to} on the side from which the ray comes *)
+  mutable shading_x : float;
+  mutable shading_y : float;
+  mutable shading_z : float;
+      (** the unit normal by which light is reckoned: that of the surface, but
+          on a smooth mesh *)
   mutable own_x : float;
   mutable own_y : float;
   mutable own_z : float;
@@ -45,11 +50,18 @@ val set_own : t -> float -> float -> float -> unit
 (** [set_own spot x y z] makes (x, y, z) its own point. *)
 
 val set_normal : t -> float -> float -> float -> unit
-(** [set_normal spot x y z] makes (x, y, z), of length 1, its normal. *)
+(** [set_normal spot x y z] makes (x, y, z), of length 1, its normal, and the
+    one for shading. *)
+
+val set_shading_normal : t -> float -> float -> float -> unit
+(** [set_shading_normal spot x y z] makes (x, y, z), of length 1, the normal
+    for shading only. *)
 
 val turn_to : t -> Raw_ray.t -> unit
 (** [turn_to spot ray] turns the outward normal to the side from which [ray]
-    comes, and notes which that is. A normal at right angles to [ray] stays. *)
+    comes, and notes which that is. A normal at right angles to [ray] stays.
+    The normal for shading is turned with it, and is the same where it would
+    face away from [ray]. *)
 
 (** {1 Reading} *)
 

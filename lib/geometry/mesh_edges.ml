@@ -1,0 +1,82 @@
+let coordinate (f : Facets.t) point axis = f.points.((3 * point) + axis)
+
+(* The same for -0 and 0. *)
+let hash facets point =
+  let bits axis = Hashtbl.hash (coordinate facets point axis +. 0.) in
+  bits 0 + (31 * (bits 1 + (31 * bits 2)))
+
+let in_one_place facets a b =
+  coordinate facets a 0 = coordinate facets b 0
+  && coordinate facets a 1 = coordinate facets b 1
+  && coordinate facets a 2 = coordinate facets b 2
+
+let places (facets : Facets.t) =
+  let count = Array.length facets.points / 3 in
+  let buckets = Array.make (Int.max 1 count) (-1) in
+  let next = Array.make count (-1) and places = Array.make count 0 in
+  for point = 0 to count - 1 do
+    let bucket = hash facets point land 0x3FFFFFFF mod count in
+    let rec find other =
+      if other = -1 then (
+        next.(point) <- buckets.(bucket);
+        buckets.(bucket) <- point;
+        point)
+      else if in_one_place facets point other then other
+      else find next.(other)
+    in
+    places.(point) <- find buckets.(bucket)
+  done;
+  places
+
+(* Edges go by the lower of their two ends: [heads] has the last edge of each
+   point, [next] the edge before each. *)
+let open_edge (facets : Facets.t) ~places =
+  let count = Array.length facets.corners in
+  let heads = Array.make (Array.length places) (-1) in
+  let next = Array.make count (-1) in
+  let far = Array.make count (-1) and faces = Array.make count 0 in
+  let low_and_high edge =
+    let first = edge - (edge mod 3) in
+    let a = places.(facets.corners.(edge))
+    and b = places.(facets.corners.(first + ((edge + 1) mod 3))) in
+    (Int.min a b, Int.max a b)
+  in
+  let rec find edge high =
+    if edge = -1 || far.(edge) = high then edge else find next.(edge) high
+  in
+  for edge = 0 to count - 1 do
+    let low, high = low_and_high edge in
+    let known = find heads.(low) high in
+    if known <> -1 then faces.(known) <- faces.(known) + 1
+    else (
+      far.(edge) <- high;
+      faces.(edge) <- 1;
+      next.(edge) <- heads.(low);
+      heads.(low) <- edge)
+  done;
+  let rec first_open edge =
+    if edge = count then None
+    else if faces.(edge) <> 0 && faces.(edge) <> 2 then Some (edge / 3)
+    else first_open (edge + 1)
+  in
+  first_open 0
+
+(* The sum of the tetrahedra between a point and each triangle. The point is one
+   of the mesh, so that little is lost where that lies far away. *)
+let volume (facets : Facets.t) =
+  let point k =
+    Vec3.make (coordinate facets k 0) (coordinate facets k 1)
+      (coordinate facets k 2)
+  in
+  let apex = point facets.corners.(0) in
+  let corner triangle k =
+    Vec3.sub (point facets.corners.((3 * triangle) + k)) apex
+  in
+  let sum = ref 0. in
+  for triangle = 0 to Facets.count facets - 1 do
+    let a = corner triangle 0
+    and b = corner triangle 1
+    and c = corner triangle 2 in
+    sum := !sum +. Vec3.dot a (Vec3.cross b c)
+  done;
+  !sum /. 6.
