@@ -86,48 +86,6 @@ let blocked bvh walk last_blockers (blocker : Meeting.t) series ray =
 
 (* {1 Building} *)
 
-(* Those that have a box. *)
-let leaves_of shapes =
-  let kinds number : Bvh_leaves.kind =
-    match shapes.(number) with Shape.Sphere _ -> Sphere | _ -> Other
-  and count_boxed count shape =
-    if Option.is_some (Shape.box shape) then count + 1 else count
-  in
-  let leaves = Bvh_leaves.create ~kinds (Array.fold_left count_boxed 0 shapes)
-  and place = ref 0 in
-  let add number { Box3.low; high } =
-    let set side x = Bvh_leaves.set_side leaves !place side x in
-    set 0 low.x;
-    set 1 high.x;
-    set 2 low.y;
-    set 3 high.y;
-    set 4 low.z;
-    set 5 high.z;
-    Bvh_leaves.set_number leaves !place number;
-    incr place
-  in
-  Array.iteri (fun number s -> Option.iter (add number) (Shape.box s)) shapes;
-  leaves
-
-let sphere_rows shapes numbers =
-  let is_sphere = function Shape.Sphere _ -> true | _ -> false in
-  let count =
-    if Array.exists is_sphere shapes then Array.length numbers else 0
-  in
-  let rows = Array.make (4 * count) 0. in
-  let write place number =
-    match shapes.(number) with
-    | Shape.Sphere { cx; cy; cz; radius } ->
-        let at = 4 * place in
-        rows.(at) <- cx;
-        rows.(at + 1) <- cy;
-        rows.(at + 2) <- cz;
-        rows.(at + 3) <- radius
-    | _ -> ()
-  in
-  Array.iteri write numbers;
-  rows
-
 let index ?(domains = 1) shapes =
   let plane (number, shape) =
     match shape with Shape.Plane plane -> Some (number, plane) | _ -> None
@@ -139,12 +97,12 @@ let index ?(domains = 1) shapes =
   let all = Array.to_seqi shapes in
   let planes = Array.of_seq (Seq.filter_map plane all)
   and endless = Array.of_seq (Seq.filter other_endless all) in
-  let leaves = leaves_of shapes in
+  let leaves = Shape_leaves.of_shapes shapes in
   let tree = Bvh_tree.build ~domains leaves in
   let numbers = Bvh_leaves.numbers leaves in
   let bvh =
     {
-      spheres = { tree; numbers; rows = sphere_rows shapes numbers };
+      spheres = { tree; numbers; rows = Shape_leaves.spheres shapes numbers };
       planes = Array.map snd planes;
       plane_numbers = Array.map fst planes;
       endless = Array.map snd endless;

@@ -60,8 +60,13 @@ let[@inline] turn_to spot (ray : Raw_ray.t) =
   let { nx; ny; nz; _ } = spot in
   let along = (nx *. ray.dx) +. (ny *. ray.dy) +. (nz *. ray.dz) in
   let side = if along > 0. then -1. else 1. in
+  let sx = side *. spot.shading_x
+  and sy = side *. spot.shading_y
+  and sz = side *. spot.shading_z in
   spot.side <- side;
-  set_normal spot (side *. nx) (side *. ny) (side *. nz)
+  set_normal spot (side *. nx) (side *. ny) (side *. nz);
+  if (sx *. ray.dx) +. (sy *. ray.dy) +. (sz *. ray.dz) < 0. then
+    set_shading_normal spot sx sy sz
 
 let[@inline] start spot (ray : Raw_ray.t) =
   let { x; y; z; nx; ny; nz; offset; _ } = spot in

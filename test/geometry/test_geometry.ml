@@ -24,4 +24,5 @@ let () =
       Test_finder.suite;
       Test_bvh_leaves.suite;
       Test_bvh.suite;
+      Test_mesh.suite;
     ]
