@@ -75,8 +75,19 @@ let[@inline] start spot (ray : Raw_ray.t) =
     (y +. (offset *. ny))
     (z +. (offset *. nz))
 
+let[@inline] is_smooth spot =
+  spot.shading_x <> spot.nx || spot.shading_y <> spot.ny
+  || spot.shading_z <> spot.nz
+
+let start_beyond spot (ray : Raw_ray.t) =
+  let { x; y; z; nx; ny; nz; offset; _ } = spot in
+  Raw_ray.set_origin ray
+    (x -. (offset *. nx))
+    (y -. (offset *. ny))
+    (z -. (offset *. nz))
+
 let[@inline] reflect spot (ray : Raw_ray.t) =
-  let { nx; ny; nz; _ } = spot in
+  let nx = spot.shading_x and ny = spot.shading_y and nz = spot.shading_z in
   start spot ray;
   let twice = 2. *. ((nx *. ray.dx) +. (ny *. ray.dy) +. (nz *. ray.dz)) in
   let dx = ray.dx -. (twice *. nx)
@@ -86,6 +97,10 @@ let[@inline] reflect spot (ray : Raw_ray.t) =
      1, where (3 - s) / 2 is as good as 1 / sqrt s. *)
   let scale = 1.5 -. (0.5 *. ((dx *. dx) +. (dy *. dy) +. (dz *. dz))) in
   Raw_ray.set_direction ray (dx *. scale) (dy *. scale) (dz *. scale);
+  if
+    is_smooth spot
+    && (spot.nx *. dx) +. (spot.ny *. dy) +. (spot.nz *. dz) < 0.
+  then start_beyond spot ray;
   ray.reach <- infinity
 
 let point { x; y; z; _ } = Vec3.make x y z

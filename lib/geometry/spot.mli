@@ -65,15 +65,21 @@ val turn_to : t -> Raw_ray.t -> unit
 
 (** {1 Reading} *)
 
+val is_smooth : t -> bool
+(** [is_smooth spot] is whether its normal for shading is another than that of
+    the surface. *)
+
 val start : t -> Raw_ray.t -> unit
 (** [start spot ray] makes [ray] start off the surface, on the side of the
     normal: at [point + offset * normal]. *)
 
 val reflect : t -> Raw_ray.t -> unit
 (** [reflect spot ray] turns [ray] into the one that a mirror at [spot] makes
-    of it: without end, from {!start} along [d - 2 (d . n) n], for which the
-    side to which the normal [n] points makes no difference. Its length is 1
-    within rounding, however many times it is reflected. *)
+    of it: without end, from {!start} along [d - 2 (d . n) n], where [n] is the
+    normal for shading, and the side to which it points makes no difference. A
+    smooth mesh may send it through the surface: then it starts on the other
+    side. Its length is 1 within rounding, however many times it is reflected.
+*)
 
 val point : t -> Vec3.t
 (** [point spot] is the point. *)

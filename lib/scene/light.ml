@@ -54,23 +54,29 @@ let create_incidence () = { cosine = 0.; falloff = 0. }
 let[@inline] is_within_squares squared (spot : Spot.t) =
   squared > 0. && squared < Offset.farthest && spot.offset < 0x1p500
 
+(* Both the surface and its normal for shading must face along the way (x, y,
+   z), which is [length] long; the cosine is that of the latter, or of the
+   surface if that alone turns away. *)
+let[@inline] face (spot : Spot.t) x y z ~length incidence =
+  let shaded =
+    (spot.shading_x *. x) +. (spot.shading_y *. y) +. (spot.shading_z *. z)
+  and flat = (spot.nx *. x) +. (spot.ny *. y) +. (spot.nz *. z) in
+  let cosine = (if flat > 0. then shaded else flat) /. length in
+  incidence.cosine <- cosine;
+  flat > 0. && cosine > 0.
+
 let[@inline] meet light (spot : Spot.t) incidence =
   match light.source with
   | Directional along ->
       let { Vec3.x; y; z } = (along :> Vec3.t) in
-      let cosine = (spot.nx *. -.x) +. (spot.ny *. -.y) +. (spot.nz *. -.z) in
-      incidence.cosine <- cosine;
       incidence.falloff <- 1.;
-      cosine > 0.
+      face spot (-.x) (-.y) (-.z) ~length:1. incidence
   | Spherical { x; y; z } ->
       let wx = x -. spot.x and wy = y -. spot.y and wz = z -. spot.z in
-      let facing = (spot.nx *. wx) +. (spot.ny *. wy) +. (spot.nz *. wz)
-      and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
+      let squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
       if is_within_squares squared spot then (
-        let cosine = facing /. sqrt squared in
-        incidence.cosine <- cosine;
         incidence.falloff <- Saturate.limit (1. /. squared);
-        cosine > 0.)
+        face spot wx wy wz ~length:(sqrt squared) incidence)
       else (
         incidence.cosine <- 0.;
         incidence.falloff <- 0.;
