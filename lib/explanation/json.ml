@@ -24,6 +24,7 @@ let text s : Yojson.Safe.t = `String s
 let numbers_of : Parameter.t -> Yojson.Safe.t = function
   | Number x -> number x
   | Triple (x, y, z) -> numbers [ x; y; z ]
+  | Text value | Word value -> text value
 
 let parameter (name, parameter) = (name, numbers_of parameter)
 

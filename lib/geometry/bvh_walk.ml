@@ -63,7 +63,9 @@ let descend ~any spheres (walk : Mesh_scratch.t) (ray : Raw_ray.t)
   let x_in = x_back and y_in = 2 + y_back and z_in = 4 + z_back in
   let x_out = 1 - x_back and y_out = 3 - y_back and z_out = 5 - z_back in
   (* A shape may touch its box, where the two distances differ by rounding. *)
-  let code = ref code and top = ref walk.top and best = ref (ray.reach *. slack) in
+  let code = ref code
+  and top = ref walk.top
+  and best = ref (ray.reach *. slack) in
   let others = ref Bvh_tree.none in
   while !code <> Bvh_tree.none do
     if !code >= 0 then

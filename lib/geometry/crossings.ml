@@ -3,7 +3,7 @@ type t = {
   mutable starts_inside : bool;
   mutable distances : float array;
   mutable parts : int array;
-  scratch : Mesh_scratch.t;
+  mesh : Mesh_scratch.t;
 }
 
 let create () =
@@ -12,7 +12,7 @@ let create () =
     starts_inside = false;
     distances = Array.make 8 0.;
     parts = Array.make 8 0;
-    scratch = Mesh_scratch.create ();
+    mesh = Mesh_scratch.create ();
   }
 
 let clear crossings ~starts_inside =

@@ -12,7 +12,7 @@ type t = {
           the shape, as half of all lines do in the half-space of a plane *)
   mutable distances : float array;  (** the first [count] are in use *)
   mutable parts : int array;  (** the part of the shape that is crossed *)
-  scratch : Mesh_scratch.t;
+  mesh : Mesh_scratch.t;
 }
 (** The type for crossings of one line. *)
 

@@ -15,9 +15,9 @@ type t = {
   faces : int array;
       (** which face of the file each triangle is of, counted from 1: a face
           with more than three corners is several triangles *)
-  places : int array;
-      (** where that face is in the file: a line, counted from 1, or a byte,
-          from 0 *)
+  places : int array;  (** where that face is in the file *)
+  in_bytes : bool;
+      (** whether {!places} are bytes, from 0, and not lines, from 1 *)
 }
 (** The type for facets. *)
 
@@ -26,3 +26,7 @@ val none : t
 
 val count : t -> int
 (** [count facets] is how many triangles there are. *)
+
+val place : t -> int -> string
+(** [place facets k] is where the face of triangle [k] is in the file:
+    ["line 40"], ["byte 84"]. *)

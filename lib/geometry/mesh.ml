@@ -97,7 +97,7 @@ let[@inline] meet mesh sheared triangle =
     (corner mesh triangle 1) (corner mesh triangle 2)
 
 let offer_leaf mesh code (ray : Raw_ray.t) (meeting : Meeting.t) ~number =
-  let sheared = meeting.scratch.sheared in
+  let sheared = meeting.room.mesh.sheared in
   for place = Bvh_tree.leaf_first code to Bvh_tree.leaf_last code do
     let triangle = mesh.spheres.numbers.(place) in
     if meet mesh sheared triangle then
@@ -109,11 +109,11 @@ let rec offer_from mesh code ray (meeting : Meeting.t) ~number =
   if code <> Bvh_tree.none then (
     offer_leaf mesh code ray meeting ~number;
     offer_from mesh
-      (Bvh_walk.go_on ~any:false mesh.spheres meeting.scratch ray meeting)
+      (Bvh_walk.go_on ~any:false mesh.spheres meeting.room.mesh ray meeting)
       ray meeting ~number)
 
 let offer mesh ray (meeting : Meeting.t) ~number =
-  let { Meeting.scratch; _ } = meeting in
+  let scratch = meeting.room.mesh in
   Triangle_ray.set scratch.sheared ray;
   offer_from mesh
     (Bvh_walk.start ~any:false mesh.spheres scratch ray meeting)
@@ -125,7 +125,7 @@ let nobody = Meeting.create ()
 (* Those before the origin, if [ahead], or else the others. *)
 let rec insert_from mesh code ray (crossings : Crossings.t) ~ahead =
   if code <> Bvh_tree.none then (
-    let { Crossings.scratch; _ } = crossings in
+    let scratch = crossings.mesh in
     for place = Bvh_tree.leaf_first code to Bvh_tree.leaf_last code do
       let triangle = mesh.spheres.numbers.(place) in
       if meet mesh scratch.sheared triangle then
@@ -139,8 +139,7 @@ let rec insert_from mesh code ray (crossings : Crossings.t) ~ahead =
 let crossings mesh (ray : Raw_ray.t) (crossings : Crossings.t) =
   Crossings.clear crossings ~starts_inside:false;
   if mesh.open_edge = None then (
-    let { Crossings.scratch; _ } = crossings
-    and { Raw_ray.dx; dy; dz; reach; _ } = ray in
+    let scratch = crossings.mesh and { Raw_ray.dx; dy; dz; reach; _ } = ray in
     Triangle_ray.set scratch.sheared ray;
     ray.reach <- infinity;
     let look ~ahead =
@@ -238,6 +237,12 @@ let settle mesh ~part (ray : Raw_ray.t) (spot : Spot.t) =
 
 (* {1 Depth} *)
 
+let point { facets; _ } k =
+  Vec3.make
+    facets.points.(3 * k)
+    facets.points.((3 * k) + 1)
+    facets.points.((3 * k) + 2)
+
 (* A point is inside if a ray from it crosses the mesh an odd number of times. *)
 let is_inside mesh { Vec3.x; y; z } =
   let ray = Raw_ray.create () and found = Crossings.create () in
@@ -278,11 +283,36 @@ let depth mesh p =
 
 (* {1 What is told} *)
 
+let part mesh k =
+  Printf.sprintf "face %d of %s, %s" mesh.facets.faces.(k) mesh.file
+    (Facets.place mesh.facets k)
+
+let parameters mesh : (string * Parameter.t) list =
+  ("file", Text mesh.file)
+  :: (if mesh.is_smooth then [ ("shading", Parameter.Word "smooth") ] else [])
+
+(* Enough for a drawing of a few hundred pixels. *)
+let most_points = 500
+
+let some_points mesh =
+  let count = Array.length mesh.facets.corners in
+  let step = 1 + (count / most_points) in
+  List.init
+    (((count - 1) / step) + 1)
+    (fun k -> point mesh mesh.facets.corners.(k * step))
+
+let place { box = { low; high }; facets; _ } =
+  let triangles = float_of_int (Facets.count facets) in
+  [| low.x; low.y; low.z; high.x; high.y; high.z; triangles |]
+
 let equal a b =
   a == b
   || a.is_smooth = b.is_smooth
      && (a.facets == b.facets || a.facets = b.facets)
 
 let pp ppf mesh =
-  Format.fprintf ppf "mesh %S%s" mesh.file
-    (if mesh.is_smooth then " smooth" else "")
+  Format.pp_print_string ppf name;
+  List.iter
+    (fun (_, parameter) ->
+      Format.fprintf ppf " %a" (Parameter.pp_with Number.pp) parameter)
+    (parameters mesh)

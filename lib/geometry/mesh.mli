@@ -66,6 +66,20 @@ val depth : t -> Vec3.t -> float
 
 (** {1 What is told} *)
 
+val part : t -> int -> string
+(** [part mesh k] is what the triangle [k] is called, such as
+    ["face 12 of bunny.obj, line 40"]. *)
+
+val parameters : t -> (string * Parameter.t) list
+(** [parameters mesh] is as {!Shape.parameters}: its file, and the word
+    [smooth]. *)
+
+val some_points : t -> Vec3.t list
+(** [some_points mesh] is some of its corners, for drawings. *)
+
+val place : t -> float array
+(** [place mesh] is as {!Shape.place}. *)
+
 val equal : t -> t -> bool
 (** [equal a b] is whether they are made of the same facets, and both smooth or
     both not. *)

@@ -17,6 +17,7 @@ type t =
   | Disc of Disc.t
   | Triangle of Triangle.t
   | Quad of Quad.t
+  | Mesh of Mesh.t
   | Placed of t Placed.t
       (** what a change has made another kind of shape; the own shape is
           neither [Placed] nor [Solid] *)

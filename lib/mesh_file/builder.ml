@@ -216,5 +216,6 @@ let finish mesh =
       corner_normals = Ints.to_array cut.cut_normals;
       faces = Ints.to_array cut.cut_faces;
       places = Ints.to_array cut.cut_places;
+      in_bytes = mesh.in_bytes;
     },
     warnings mesh cut )

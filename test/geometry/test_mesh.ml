@@ -11,6 +11,7 @@ let facets ?(normals = [||]) ?(corner_normals = [||]) points corners =
     corner_normals;
     faces = Array.init count (fun k -> k + 1);
     places = Array.init count (fun k -> 10 * k);
+    in_bytes = false;
   }
 
 let mesh ?smooth facets = Mesh.make ?smooth ~name:"test.obj" facets
