@@ -34,11 +34,13 @@ HIT   = { "object": OBJECT,
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
           "outside": BOOL,                whether that is the normal on the
                                           outside of the object
-          "part": INT,                    which part of the object is hit:
-                                          of a box 0 to 5, its left and
-                                          right side, bottom, top, front
-                                          and back; of a cylinder or cone
-                                          0, the wall, 1 or 2, its ends
+          "part": INT,                    which part of the object or
+                                          primitive is hit: of a box 0 to
+                                          5, its left and right side,
+                                          bottom, top, front and back; of a
+                                          cylinder or cone 0, the wall, 1
+                                          or 2, its ends; of a mesh which
+                                          of its triangles, from 0
           "own_point": VECTOR,            the point in the object's own
                                           coordinates
           "offset": NUMBER,               along the normal, of rays to come
@@ -76,6 +78,7 @@ PART    = what it takes there, in that order, by name:
           "radius_b", a "torus" has "centre", "axis", "ring" and "tube",
           a "disc" has "centre", "normal" and "radius", a "triangle" has
           "a", "b" and "c", a "quad" has "corner", "edge" and "other";
+          a "mesh" has "file" and, if it is smooth, "shading": "smooth";
           "diffusive" and "luminous" have "color";
           "scaled" has "factor", "stretched" has "factors", "rotated" has
           "axis" and "angle", "translated" has "way"

@@ -40,7 +40,11 @@ let insert crossings ~part t =
   add crossings ~part t;
   let { distances; parts; _ } = crossings in
   let at = ref (crossings.count - 1) in
-  while !at > 0 && distances.(!at - 1) > t do
+  while
+    !at > 0
+    && (distances.(!at - 1) > t
+       || (distances.(!at - 1) = t && parts.(!at - 1) > part))
+  do
     distances.(!at) <- distances.(!at - 1);
     parts.(!at) <- parts.(!at - 1);
     decr at

@@ -5,7 +5,7 @@ type t = {
   facets : Facets.t;
   is_smooth : bool;
   box : Box3.t;
-  open_edge : int option;
+  open_edge : Mesh_edges.edge option;
   spheres : Bvh_walk.spheres; (* the tree, and no spheres *)
 }
 
@@ -15,6 +15,7 @@ let facets mesh = mesh.facets
 let is_smooth mesh = mesh.is_smooth
 let box mesh = mesh.box
 let open_edge mesh = mesh.open_edge
+let is_closed mesh = Option.is_none mesh.open_edge
 let volume mesh = Mesh_edges.volume mesh.facets
 
 (* {1 Making} *)
@@ -67,25 +68,31 @@ let require (facets : Facets.t) =
     || not (are_among facets.normals ~least:(-1) facets.corner_normals)
   then invalid_arg "no facets of a mesh"
 
-let make ?(domains = 1) ?(smooth = false) ~name:file (facets : Facets.t) =
+let make ?(domains = 1) ~name:file (facets : Facets.t) =
   require facets;
-  let has_all =
-    Array.length facets.corner_normals = Array.length facets.corners
-    && Array.for_all (fun k -> k >= 0) facets.corner_normals
-  in
-  if smooth && not has_all then
-    invalid_arg "a smooth mesh has a normal at each corner";
   let leaves = leaves facets in
   let box = box_of leaves in
-  let tree = Bvh_tree.build ~domains leaves in
+  let tree = Bvh_tree.compact (Bvh_tree.build ~domains leaves) in
   {
     file;
     facets;
-    is_smooth = smooth;
+    is_smooth = false;
     box;
     open_edge = Mesh_edges.open_edge facets ~places:(Mesh_edges.places facets);
     spheres = { tree; numbers = Bvh_leaves.numbers leaves; rows = [||] };
   }
+
+let smooth (facets : Facets.t) mesh =
+  require facets;
+  let is_same =
+    facets.corners = mesh.facets.corners && facets.points = mesh.facets.points
+  and has_all =
+    Array.length facets.corner_normals = Array.length facets.corners
+    && Array.for_all (fun k -> k >= 0) facets.corner_normals
+  in
+  if not (is_same && has_all) then
+    invalid_arg "a smooth mesh has a normal at each corner";
+  { mesh with facets; is_smooth = true }
 
 (* {1 What is hit} *)
 
@@ -122,7 +129,8 @@ let offer mesh ray (meeting : Meeting.t) ~number =
 (* No tree of triangles has a sphere that could offer itself. *)
 let nobody = Meeting.create ()
 
-(* Those before the origin, if [ahead], or else the others. *)
+(* Those before the origin, if [ahead], or else the others. Of a mesh that is
+   open each is crossed twice at one place, as all that is flat is. *)
 let rec insert_from mesh code ray (crossings : Crossings.t) ~ahead =
   if code <> Bvh_tree.none then (
     let scratch = crossings.mesh in
@@ -130,7 +138,10 @@ let rec insert_from mesh code ray (crossings : Crossings.t) ~ahead =
       let triangle = mesh.spheres.numbers.(place) in
       if meet mesh scratch.sheared triangle then
         let t = Triangle_ray.distance scratch.sheared in
-        if ahead = (t > 0.) then Crossings.insert crossings ~part:triangle t
+        if ahead = (t > 0.) then (
+          Crossings.insert crossings ~part:triangle t;
+          if not (is_closed mesh) then
+            Crossings.insert crossings ~part:triangle t)
     done;
     insert_from mesh
       (Bvh_walk.go_on ~any:false mesh.spheres scratch ray nobody)
@@ -138,22 +149,21 @@ let rec insert_from mesh code ray (crossings : Crossings.t) ~ahead =
 
 let crossings mesh (ray : Raw_ray.t) (crossings : Crossings.t) =
   Crossings.clear crossings ~starts_inside:false;
-  if mesh.open_edge = None then (
-    let scratch = crossings.mesh and { Raw_ray.dx; dy; dz; reach; _ } = ray in
-    Triangle_ray.set scratch.sheared ray;
-    ray.reach <- infinity;
-    let look ~ahead =
-      insert_from mesh
-        (Bvh_walk.start ~any:false mesh.spheres scratch ray nobody)
-        ray crossings ~ahead
-    in
-    look ~ahead:true;
-    Raw_ray.set_direction ray (-.dx) (-.dy) (-.dz);
-    look ~ahead:false;
-    Raw_ray.set_direction ray dx dy dz;
-    ray.reach <- reach;
-    (* by rounding errors only; what is entered is left *)
-    if crossings.count land 1 = 1 then crossings.count <- crossings.count - 1)
+  let scratch = crossings.mesh and { Raw_ray.dx; dy; dz; reach; _ } = ray in
+  Triangle_ray.set scratch.sheared ray;
+  ray.reach <- infinity;
+  let look ~ahead =
+    insert_from mesh
+      (Bvh_walk.start ~any:false mesh.spheres scratch ray nobody)
+      ray crossings ~ahead
+  in
+  look ~ahead:true;
+  Raw_ray.set_direction ray (-.dx) (-.dy) (-.dz);
+  look ~ahead:false;
+  Raw_ray.set_direction ray dx dy dz;
+  ray.reach <- reach;
+  (* by rounding errors only; what is entered is left *)
+  if crossings.count land 1 = 1 then crossings.count <- crossings.count - 1
 
 (* {1 The spot} *)
 
@@ -274,7 +284,7 @@ let distance_to_surface mesh p =
   !nearest
 
 let depth mesh p =
-  if mesh.open_edge <> None then neg_infinity
+  if not (is_closed mesh) then neg_infinity
   else
     let beside = distance_to_box mesh.box p in
     if beside > 0. then -.beside
@@ -284,8 +294,20 @@ let depth mesh p =
 (* {1 What is told} *)
 
 let part mesh k =
-  Printf.sprintf "face %d of %s, %s" mesh.facets.faces.(k) mesh.file
+  Printf.sprintf "face %d (%s of %s)" mesh.facets.faces.(k)
     (Facets.place mesh.facets k)
+    mesh.file
+
+let opening mesh =
+  let tell { Mesh_edges.triangle; side; faces } =
+    let corner k = point mesh mesh.facets.corners.((3 * triangle) + k) in
+    Format.asprintf "%s has an edge from %a to %a that %s" (part mesh triangle)
+      Vec3.pp (corner side) Vec3.pp
+      (corner ((side + 1) mod 3))
+      (if faces = 1 then "no other face has"
+       else Printf.sprintf "%d faces have" faces)
+  in
+  Option.map tell mesh.open_edge
 
 let parameters mesh : (string * Parameter.t) list =
   ("file", Text mesh.file)

@@ -15,14 +15,19 @@
 type t
 (** The type for meshes. *)
 
-val make : ?domains:int -> ?smooth:bool -> name:string -> Facets.t -> t
-(** [make ~domains ~smooth ~name facets] is the mesh of [facets], at least one,
-    called [name]: that of its file. Its hierarchy is built on at most
-    [domains] domains, by default 1. If it is [smooth], by default it is not,
-    each corner has a normal of length 1.
+val make : ?domains:int -> name:string -> Facets.t -> t
+(** [make ~domains ~name facets] is the mesh of [facets], at least one, called
+    [name]: that of its file. It is not smooth. Its hierarchy is built on at
+    most [domains] domains, by default 1.
 
-    Raises [Invalid_argument] if the facets are not as {!Facets.t} says, there
-    is no triangle, or it is [smooth] and a corner has no normal. *)
+    Raises [Invalid_argument] if the facets are not as {!Facets.t} says, or
+    there is no triangle. *)
+
+val smooth : Facets.t -> t -> t
+(** [smooth facets mesh] is [mesh] shaded by the normals of [facets], which are
+    the same triangles, with a normal of length 1 at each corner.
+
+    Raises [Invalid_argument] if they are not. *)
 
 val name : string
 (** [name] is ["mesh"]. *)
@@ -41,9 +46,11 @@ val is_smooth : t -> bool
 val box : t -> Box3.t
 (** [box mesh] is the box around it. *)
 
-val open_edge : t -> int option
-(** [open_edge mesh] is a triangle with an edge that is not that of exactly
-    two; [None] if the mesh is closed. *)
+val open_edge : t -> Mesh_edges.edge option
+(** [open_edge mesh] is {!Mesh_edges.val-open_edge}; [None] if it is closed. *)
+
+val is_closed : t -> bool
+(** [is_closed mesh] is whether it has an inside: {!open_edge} is [None]. *)
 
 val volume : t -> float
 (** [volume mesh] is {!Mesh_edges.volume}. *)
@@ -54,8 +61,8 @@ val offer : t -> Raw_ray.t -> Meeting.t -> number:int -> unit
 (** [offer mesh ray meeting ~number] is as {!Shape.offer}. *)
 
 val crossings : t -> Raw_ray.t -> Crossings.t -> unit
-(** [crossings mesh ray crossings] is as {!Shape.crossings_raw}. Of a mesh that
-    is not closed there are none. *)
+(** [crossings mesh ray crossings] is as {!Shape.crossings_raw}. A mesh that is
+    not closed is crossed twice at each place, in and out. *)
 
 val settle : t -> part:int -> Raw_ray.t -> Spot.t -> unit
 (** [settle mesh ~part ray spot] is as {!Shape.settle}. The outward normal is
@@ -68,7 +75,11 @@ val depth : t -> Vec3.t -> float
 
 val part : t -> int -> string
 (** [part mesh k] is what the triangle [k] is called, such as
-    ["face 12 of bunny.obj, line 40"]. *)
+    ["face 12 (line 40 of bunny.obj)"]. *)
+
+val opening : t -> string option
+(** [opening mesh] is where it is open, if it is not closed: a face has an edge
+    that no other has, or more than one. *)
 
 val parameters : t -> (string * Parameter.t) list
 (** [parameters mesh] is as {!Shape.parameters}: its file, and the word

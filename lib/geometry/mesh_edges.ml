@@ -28,6 +28,8 @@ let places (facets : Facets.t) =
   done;
   places
 
+type edge = { triangle : int; side : int; faces : int }
+
 (* Edges go by the lower of their two ends: [heads] has the last edge of each
    point, [next] the edge before each. *)
 let open_edge (facets : Facets.t) ~places =
@@ -56,7 +58,8 @@ let open_edge (facets : Facets.t) ~places =
   done;
   let rec first_open edge =
     if edge = count then None
-    else if faces.(edge) <> 0 && faces.(edge) <> 2 then Some (edge / 3)
+    else if faces.(edge) <> 0 && faces.(edge) <> 2 then
+      Some { triangle = edge / 3; side = edge mod 3; faces = faces.(edge) }
     else first_open (edge + 1)
   in
   first_open 0

@@ -142,6 +142,7 @@ let placed p =
 let rec transformed ?(keep_own = false) change shape =
   match (shape, if keep_own then None else baked change shape) with
   | _, Some shape -> shape
+  | own, None when Change.modifiers change = [] -> own
   | Placed p, None -> placed (Placed.change change p)
   | Solid s, None -> Solid (Solid.map (transformed ~keep_own change) s)
   | own, None -> placed (Placed.make change own)
@@ -152,8 +153,15 @@ let rec is_solid = function
   | Sphere _ | Plane _ | Box _ | Cylinder _ | Cone _ | Torus _ | Solid _ ->
       true
   | Disc _ | Triangle _ | Quad _ -> false
-  | Mesh m -> Option.is_none (Mesh.open_edge m)
+  | Mesh m -> Mesh.is_closed m
   | Placed p -> is_solid p.own
+
+let rec opening = function
+  | Mesh m -> Mesh.opening m
+  | Placed p -> opening p.own
+  | Sphere _ | Plane _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _
+  | Triangle _ | Quad _ | Solid _ ->
+      None
 
 (* A solid among the members is a part of the whole. *)
 let rec spread : t Solid.tree -> t Solid.tree = function

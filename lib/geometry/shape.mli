@@ -76,6 +76,10 @@ val transformed : ?keep_own:bool -> Change.t -> t -> t
 val is_solid : t -> bool
 (** [is_solid shape] is whether it has an inside: a half-space, for a plane. *)
 
+val opening : t -> string option
+(** [opening shape] is where a mesh is open that is therefore no solid;
+    {!Mesh.opening}. *)
+
 val solid : t Solid.tree -> t
 (** [solid tree] is what [tree] says of its members. A solid among them is as
     if its own tree stood there.

@@ -2,6 +2,7 @@ open Raylab_geometry
 open Growing
 
 type t = {
+  most : int; (* triangles, and points *)
   counted_from : int;
   points : Floats.t;
   normals : Floats.t;
@@ -15,8 +16,9 @@ type t = {
   mutable unused : (string * Fault.place) list;
 }
 
-let create ~counted_from =
+let create ~most ~counted_from =
   {
+    most;
     counted_from;
     points = Floats.create ();
     normals = Floats.create ();
@@ -30,21 +32,20 @@ let create ~counted_from =
     unused = [];
   }
 
-let max_triangles = 20_000_000
 let points mesh = Floats.length mesh.points / 3
 let normals mesh = Floats.length mesh.normals / 3
 
-let add_triple numbers place what x y z =
+let add_triple mesh numbers place what x y z =
   if not (Float.is_finite x && Float.is_finite y && Float.is_finite z) then
     Fault.fail place "the numbers of a %s must be finite" what;
-  if Floats.length numbers / 3 >= max_triangles then
-    Fault.fail place "there are more than %d %ss" max_triangles what;
+  if Floats.length numbers / 3 >= mesh.most then
+    Fault.fail place "there are more than %d %ss" mesh.most what;
   Floats.add numbers x;
   Floats.add numbers y;
   Floats.add numbers z
 
-let point mesh place x y z = add_triple mesh.points place "point" x y z
-let normal mesh place x y z = add_triple mesh.normals place "normal" x y z
+let point mesh place x y z = add_triple mesh mesh.points place "point" x y z
+let normal mesh place x y z = add_triple mesh mesh.normals place "normal" x y z
 
 (* {1 Faces} *)
 
@@ -63,8 +64,8 @@ let end_face mesh (place : Fault.place) =
     Fault.fail place "a face needs at least three corners, and this one has %d"
       (stop - start);
   mesh.triangles <- mesh.triangles + stop - start - 2;
-  if mesh.triangles > max_triangles then
-    Fault.fail place "the mesh has more than %d triangles" max_triangles;
+  if mesh.triangles > mesh.most then
+    Fault.fail place "the mesh has more than %d triangles" mesh.most;
   Ints.add mesh.ends stop;
   Ints.add mesh.places
     (match place with
@@ -160,30 +161,24 @@ let cut_face mesh cut face =
       "a face has %d corners and is not convex; such faces may have %d"
       (stop - start) Polygon.max_concave
 
-let where (place : Fault.place) =
-  match place with
-  | Line n -> Printf.sprintf " (line %d)" n
-  | Byte n -> Printf.sprintf " (byte %d)" n
-  | Whole -> ""
-
-let warnings mesh cut =
-  let unused (what, place) =
-    Printf.sprintf "%s are not used%s" what (where place)
+let warnings mesh cut : Fault.t list =
+  let unused (what, place) : Fault.t =
+    { place; message = what ^ " are not used" }
   in
   List.rev_map unused mesh.unused
   @
   if cut.flat = 0 then []
   else
-    let first = where (place mesh cut.first_flat) in
-    [
-      (if cut.flat = 1 then
-         "a triangle has two corners in one place and is left out" ^ first
-       else
-         Printf.sprintf
-           "%d triangles have two corners in one place and are left out; the \
-            first%s"
-           cut.flat first);
-    ]
+    let message =
+      if cut.flat = 1 then
+        "a triangle has two corners in one place and is left out"
+      else
+        Printf.sprintf
+          "here is the first of %d triangles that have two corners in one \
+           place and are left out"
+          cut.flat
+    in
+    [ { place = place mesh cut.first_flat; message } ]
 
 let no_face mesh =
   match List.rev_map fst mesh.unused with

@@ -5,13 +5,10 @@ open Raylab_geometry
 type t
 (** The type for meshes that are being read. *)
 
-val create : counted_from:int -> t
-(** [create ~counted_from] is a new one, of nothing. Faults tell points and
-    normals by numbers from [counted_from], as the file does. *)
-
-val max_triangles : int
-(** [max_triangles] is how many triangles, and how many points, a mesh may
-    have: 20 million. *)
+val create : most:int -> counted_from:int -> t
+(** [create ~most ~counted_from] is a new one, of nothing. It may have at most
+    [most] triangles, and as many points. Faults tell points and normals by
+    numbers from [counted_from], as the file does. *)
 
 val point : t -> Fault.place -> float -> float -> float -> unit
 (** [point mesh place x y z] adds a point.
@@ -44,7 +41,7 @@ val unused : t -> Fault.place -> string -> unit
 (** [unused mesh place what] notes that the file has [what], in the plural,
     such as ["materials"], and that it is not used. *)
 
-val finish : t -> Facets.t * string list
+val finish : t -> Facets.t * Fault.t list
 (** [finish mesh] is the mesh, cut into triangles, and warnings: what is not
     used, and faces that are left out since two of their corners are in one
     place. A normal of length 0 counts as none, and so do all if the file has

@@ -9,8 +9,9 @@ let format_of_name name =
   Option.map snd (List.find_opt has formats)
 
 let reader = function Obj -> Obj.read | Ply -> Ply.read | Stl -> Stl.read
+let most_triangles = 20_000_000
 
-let read format bytes =
-  match Builder.finish (reader format bytes) with
+let read ?(most = most_triangles) format bytes =
+  match Builder.finish (reader format ~most bytes) with
   | mesh -> Ok mesh
   | exception Fault.Found fault -> Error fault

@@ -15,6 +15,12 @@ val format_of_name : string -> format option
 (** [format_of_name name] is the format that the extension of [name] tells, in
     whatever case it is. *)
 
-val read : format -> string -> (Facets.t * string list, Fault.t) result
-(** [read format bytes] is the mesh in [bytes] and warnings: what the file has
-    and raylab cannot use, a sentence each, without a full stop. *)
+val most_triangles : int
+(** [most_triangles] is 20 million: how many triangles all meshes of a scene
+    may have together. *)
+
+val read :
+  ?most:int -> format -> string -> (Facets.t * Fault.t list, Fault.t) result
+(** [read ~most format bytes] is the mesh in [bytes], of at most [most]
+    triangles and points, by default {!most_triangles}, and warnings: what the
+    file has and raylab cannot use. *)

@@ -89,11 +89,11 @@ let statement reader =
 (* A statement may leave words of its line, of which nobody asks. *)
 let rec rest words = if Words.next words then rest words
 
-let read text =
+let read ~most text =
   let reader =
     {
       words = Words.start text;
-      mesh = Builder.create ~counted_from:1;
+      mesh = Builder.create ~most ~counted_from:1;
       corner = Ints.create ();
     }
   in

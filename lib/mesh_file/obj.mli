@@ -6,5 +6,6 @@
     would miss, such as materials, colours, curves, lines and points, is told
     in a warning; names and smoothing groups are not. *)
 
-val read : string -> Builder.t
-(** [read text] is the mesh in [text]. Raises {!Fault.Found}. *)
+val read : most:int -> string -> Builder.t
+(** [read ~most text] is the mesh in [text], of at most so many triangles.
+    Raises {!Fault.Found}. *)

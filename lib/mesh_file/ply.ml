@@ -93,10 +93,10 @@ let read_element rows mesh ~has_normals element =
       read_rows rows element (fun () ->
           List.iter (skip rows) element.properties)
 
-let read bytes =
+let read ~most bytes =
   let header = Ply_header.read bytes in
   let rows = Ply_rows.start header bytes
-  and mesh = Builder.create ~counted_from:0 in
+  and mesh = Builder.create ~most ~counted_from:0 in
   let gives_normals element =
     element.name = "vertex" && List.for_all (has element) [ "nx"; "ny"; "nz" ]
   in

@@ -6,5 +6,6 @@
     skipped; colours and other elements are told in a warning. In a text each
     row has a line of its own. *)
 
-val read : string -> Builder.t
-(** [read bytes] is the mesh in [bytes]. Raises {!Fault.Found}. *)
+val read : most:int -> string -> Builder.t
+(** [read ~most bytes] is the mesh in [bytes], of at most so many triangles.
+    Raises {!Fault.Found}. *)

@@ -5,8 +5,8 @@ type shared = {
   known : (float * float * float, int) Hashtbl.t;
 }
 
-let create () =
-  { mesh = Builder.create ~counted_from:1; known = Hashtbl.create 1024 }
+let create ~most =
+  { mesh = Builder.create ~most ~counted_from:1; known = Hashtbl.create 1024 }
 
 let corner { mesh; known } place x y z =
   (* without the sign of a zero *)
@@ -44,8 +44,8 @@ let is_binary bytes =
 
 let single bytes at = Int32.float_of_bits (String.get_int32_le bytes at)
 
-let read_binary bytes =
-  let shared = create () in
+let read_binary ~most bytes =
+  let shared = create ~most in
   for k = 0 to ((String.length bytes - header) / record) - 1 do
     let at = header + (k * record) in
     let place = Fault.Byte at in
@@ -112,8 +112,8 @@ let rec solids shared words =
       Fault.fail (Words.place words) "%s stands where facet should be"
         (Words.text words)
 
-let read_text bytes =
-  let shared = create () in
+let read_text ~most bytes =
+  let shared = create ~most in
   solids shared (Words.start bytes);
   shared.mesh
 
@@ -123,9 +123,9 @@ let begins_with_solid bytes =
   let words = Words.start bytes in
   Words.next_anywhere words && Words.is words "solid"
 
-let read bytes =
-  if is_binary bytes then read_binary bytes
-  else if begins_with_solid bytes then read_text bytes
+let read ~most bytes =
+  if is_binary bytes then read_binary ~most bytes
+  else if begins_with_solid bytes then read_text ~most bytes
   else if String.length bytes < header then
     Fault.fail Whole
       "the file is no STL: it neither begins with 'solid' nor has the %d \

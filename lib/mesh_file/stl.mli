@@ -5,5 +5,6 @@
     [solid]. Points in the same place are one. The normals in the file are not
     read: a triangle is wound so that it has its own. *)
 
-val read : string -> Builder.t
-(** [read bytes] is the mesh in [bytes]. Raises {!Fault.Found}. *)
+val read : most:int -> string -> Builder.t
+(** [read ~most bytes] is the mesh in [bytes], of at most so many triangles.
+    Raises {!Fault.Found}. *)

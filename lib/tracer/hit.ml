@@ -12,12 +12,12 @@ type t = {
   offset : float;
 }
 
-let of_registers ~primitive (meeting : Meeting.t) (spot : Spot.t)
+let of_registers ~primitive ~part (meeting : Meeting.t) (spot : Spot.t)
     (ray : Raw_ray.t) =
   {
     number = meeting.number + 1;
     primitive;
-    part = meeting.part;
+    part;
     t = ray.reach;
     point = Spot.point spot;
     own_point = Spot.own spot;

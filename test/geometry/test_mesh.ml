@@ -14,7 +14,7 @@ let facets ?(normals = [||]) ?(corner_normals = [||]) points corners =
     in_bytes = false;
   }
 
-let mesh ?smooth facets = Mesh.make ?smooth ~name:"test.obj" facets
+let mesh facets = Mesh.make ~name:"test.obj" facets
 
 (* The cube from (0, 0, 0) to (2, 2, 2). Corner k has a coordinate of 2 where k
    has a bit; faces are wound so that (B - A) x (C - A) points outward. *)
@@ -72,7 +72,7 @@ let test_spot () =
 
 let test_whole () =
   let cube = mesh cube in
-  Alcotest.(check (option int)) "closed" None (Mesh.open_edge cube);
+  Alcotest.(check bool) "closed" true (Mesh.is_closed cube);
   Alcotest.check number "volume" 8. (Mesh.volume cube);
   Alcotest.(check string)
     "box" "(0, 0, 0) to (2, 2, 2)"
@@ -95,10 +95,14 @@ let without_last (f : Facets.t) =
 
 let test_open () =
   let open_cube = mesh (without_last cube) in
-  Alcotest.(check (option int))
-    "a neighbour of what is missing" (Some 0) (Mesh.open_edge open_cube);
+  Alcotest.(check (option string))
+    "a neighbour of what is missing"
+    (Some
+       "face 1 (line 0 of test.obj) has an edge from (0, 0, 2) to (0, 2, 2) \
+        that no other face has")
+    (Mesh.opening open_cube);
   Alcotest.(check int)
-    "no crossings" 0
+    "in and out at each place" 4
     (List.length (crossed open_cube (v 1. 0.9 (-3.)) (v 1. 0.9 0.)));
   Alcotest.check number "no depth" neg_infinity
     (Mesh.depth open_cube (v 1. 1. 1.))
@@ -116,9 +120,9 @@ let apart (f : Facets.t) =
   }
 
 let test_apart () =
-  Alcotest.(check (option int))
-    "closed by position" None
-    (Mesh.open_edge (mesh (apart cube)))
+  Alcotest.(check bool)
+    "closed by position" true
+    (Mesh.is_closed (mesh (apart cube)))
 
 let test_smooth () =
   (* the normals at the corners of a triangle lean outward *)
@@ -130,7 +134,7 @@ let test_smooth () =
       [| 0; 2; 1 |]
   in
   let f = { f with normals = Array.map (fun x -> x *. sqrt 0.5) f.normals } in
-  let m = mesh ~smooth:true f in
+  let m = Mesh.smooth f (mesh f) in
   match hit ~any:m (v 0.25 0.5 (-2.)) (v 0.25 0.5 0.) with
   | None -> Alcotest.fail "no hit"
   | Some (ray, part) ->
@@ -266,7 +270,7 @@ let test_refused () =
   refused "no triangle" (facets [| 0.; 0.; 0. |] [||]);
   refused "no such point" (facets [| 0.; 0.; 0. |] [| 0; 0; 1 |]);
   refused "not finite" (facets [| nan; 0.; 0. |] [| 0; 0; 0 |]);
-  match mesh ~smooth:true cube with
+  match Mesh.smooth cube (mesh cube) with
   | _ -> Alcotest.fail "smooth without normals"
   | exception Invalid_argument _ -> ()
 

@@ -7,7 +7,7 @@ let read format bytes =
   | Error fault -> Alcotest.fail (Fault.to_string fault)
 
 let mesh format bytes = fst (read format bytes)
-let warnings format bytes = snd (read format bytes)
+let warnings format bytes = List.map Fault.to_string (snd (read format bytes))
 
 let fault format bytes =
   match Mesh_file.read format bytes with

@@ -37,13 +37,13 @@ let test_warnings () =
   Alcotest.(check (list string))
     "what is not used"
     [
-      "materials are not used (line 5)";
-      "colours of points are not used (line 6)";
-      "lines are not used (line 7)";
-      "lines that begin with 'hello' are not used (line 8)";
-      "missing normals are not used (line 10)";
-      "2 triangles have two corners in one place and are left out; the first \
-       (line 11)";
+      "line 5: materials are not used";
+      "line 6: colours of points are not used";
+      "line 7: lines are not used";
+      "line 8: lines that begin with 'hello' are not used";
+      "line 10: missing normals are not used";
+      "line 11: here is the first of 2 triangles that have two corners in one \
+       place and are left out";
     ]
     (Read.warnings Obj
        (points

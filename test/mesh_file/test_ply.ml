@@ -83,7 +83,7 @@ let test_binary () =
     (Read.mesh Ply (header "binary_big_endian" ^ body ~big:true));
   Alcotest.(check (list string))
     "other elements"
-    [ "elements called 'other' are not used (line 3)" ]
+    [ "line 3: elements called 'other' are not used" ]
     (Read.warnings Ply (header "binary_big_endian" ^ body ~big:true))
 
 (* The first face is after 5 bytes of the other element; the second has a byte,

@@ -46,7 +46,7 @@ let test_binary () =
   Alcotest.(check (array int)) "bytes" [| 84; 134 |] mesh.places;
   Alcotest.(check (list string))
     "colours"
-    [ "colours of triangles are not used (byte 132)" ]
+    [ "byte 132: colours of triangles are not used" ]
     (Read.warnings Stl (binary ~colour:31 two))
 
 let replace a b text =

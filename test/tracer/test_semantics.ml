@@ -157,6 +157,37 @@ let in_plane corner e1 e2 p =
   let n = Vec3.cross e1 e2 and p = p - corner in
   (dot (Vec3.cross p e2) n /. dot n n, dot (Vec3.cross e1 p) n /. dot n n)
 
+(* The three of each triangle, from one array by another. *)
+let triples (numbers : float array) (indexes : int array) =
+  let vector k =
+    let at axis = numbers.(Int.add (Int.mul 3 k) axis) in
+    Vec3.make (at 0) (at 1) (at 2)
+  in
+  List.init
+    (Array.length indexes / 3)
+    (fun t ->
+      let corner k = vector indexes.(Int.add (Int.mul 3 t) k) in
+      (corner 0, corner 1, corner 2))
+
+let triangles mesh =
+  let { Facets.points; corners; _ } = Mesh.facets mesh in
+  triples points corners
+
+let wound (a, b, c) = unit (Vec3.cross (b - a) (c - a))
+
+let triangle_intersections (normal : Direction.t) (a, b, c) ray =
+  let is_in t =
+    let u, v = in_plane a (b - a) (c - a) (at ray t) in
+    u >= 0. && v >= 0. && u +. v <= 1.
+  in
+  List.filter is_in (plane_intersections a normal ray)
+
+(* A line through an edge meets one of the triangles beside it. *)
+let rec once_an_edge = function
+  | t :: t' :: rest when t' -. t < 1e-9 -> once_an_edge (t :: rest)
+  | t :: rest -> t :: once_an_edge rest
+  | [] -> []
+
 let rec intersections (shape : Shape.t) ray =
   let { o; d; _ } = ray in
   match shape with
@@ -177,11 +208,13 @@ let rec intersections (shape : Shape.t) ray =
       let is_in t = length (at ray t - centre) < radius in
       List.filter is_in (plane_intersections centre normal ray)
   | Triangle { a; b; c; normal; _ } ->
-      let is_in t =
-        let u, v = in_plane a (b - a) (c - a) (at ray t) in
-        u >= 0. && v >= 0. && u +. v <= 1.
-      in
-      List.filter is_in (plane_intersections a normal ray)
+      triangle_intersections normal (a, b, c) ray
+  | Mesh mesh ->
+      triangles mesh
+      |> List.concat_map (fun corners ->
+             let normal = Direction.of_vec3_exn (wound corners) in
+             triangle_intersections normal corners ray)
+      |> List.sort Float.compare |> once_an_edge
   | Quad { corner; edge; other; normal; _ } ->
       let is_in t =
         let u, v = in_plane corner edge other (at ray t) in
@@ -210,9 +243,28 @@ let frustum_outward (f : Frustum.t) p =
       (f.length -. y, w);
     ]
 
+(* How far p is from a triangle's plane, or from the triangle by u and v. *)
+let from_triangle p (a, b, c) =
+  let u, v = in_plane a (b - a) (c - a) p in
+  let beside = List.fold_left Float.min 0. [ u; v; 1. -. u -. v ] in
+  Float.max (abs_float (dot (p - a) (wound (a, b, c)))) (-.beside)
+
+(* The normals at the corners, each times its weight. *)
+let blended p ((a, b, c), (na, nb, nc)) =
+  let u, v = in_plane a (b - a) (c - a) p in
+  unit (((1. -. u -. v) * na) + (u * nb) + (v * nc))
+
 (* M^-T is made of the columns of M^-1. *)
+let placed_normal modifiers n =
+  let part x y z = dot (undone undo_vector modifiers (Vec3.make x y z)) n in
+  unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
+
 let rec outward (shape : Shape.t) p =
   match shape with
+  | Mesh mesh ->
+      triangles mesh
+      |> List.map (fun corners -> (from_triangle p corners, wound corners))
+      |> of_nearest
   | Sphere s -> 1. /. s.radius * (p - centre s)
   | Plane { normal; _ } | Disc { normal; _ } -> (normal :> Vec3.t)
   | Triangle { a; b; c; _ } -> unit (Vec3.cross (b - a) (c - a))
@@ -227,12 +279,21 @@ let rec outward (shape : Shape.t) p =
       let _, q = from_axis centre axis p in
       unit (p - centre - (ring * unit q))
   | Placed { own; modifiers; _ } ->
-      let n = outward own (undone undo_point modifiers p) in
-      let part x y z =
-        dot (undone undo_vector modifiers (Vec3.make x y z)) n
-      in
-      unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
+      placed_normal modifiers (outward own (undone undo_point modifiers p))
   | Solid _ -> assert false
+
+(* The outward normal for shading. *)
+let rec shading (shape : Shape.t) p =
+  match shape with
+  | Mesh mesh when Mesh.is_smooth mesh ->
+      let { Facets.normals; corner_normals; _ } = Mesh.facets mesh in
+      List.combine (triangles mesh) (triples normals corner_normals)
+      |> List.map (fun ((corners, _) as both) ->
+             (from_triangle p corners, blended p both))
+      |> of_nearest
+  | Placed { own; modifiers; _ } ->
+      placed_normal modifiers (shading own (undone undo_point modifiers p))
+  | shape -> outward shape p
 
 let frustum_size (f : Frustum.t) =
   List.fold_left Float.max f.length [ f.radius_a; f.radius_b ]
@@ -243,7 +304,9 @@ let size : Shape.t -> float = function
   | Cylinder c -> frustum_size (c :> Frustum.t)
   | Cone c -> frustum_size (c :> Frustum.t)
   | Torus { ring; tube; _ } -> ring +. tube
-  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Placed _ | Solid _ -> 0.
+  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Mesh _ | Placed _
+  | Solid _ ->
+      0.
 
 let inside_frustum (f : Frustum.t) p =
   let y, q = from_axis f.a f.axis p in
@@ -263,6 +326,10 @@ let rec inside (shape : Shape.t) p =
       let y, q = from_axis centre axis p in
       let x = length q -. ring in
       (x *. x) +. (y *. y) < tube *. tube
+  | Mesh _ ->
+      let ray = { o = p; d = Vec3.make 0.2 0.5 0.7; rho = infinity } in
+      let ahead = List.filter (fun t -> t > 0.) (intersections shape ray) in
+      List.length ahead mod 2 = 1
   | Disc _ | Triangle _ | Quad _ | Solid _ -> assert false
 
 (* {1 The offset} *)
@@ -419,9 +486,9 @@ let towards (light : Light.t) p =
   | Directional along -> (-(along :> Vec3.t), 1.)
   | Spherical s -> (unit (s - p), 1. /. dot (s - p) (s - p))
 
-let received (light : Light.t) p n =
+let received (light : Light.t) p n shading =
   let l, f = towards light p in
-  let cosine = Float.max 0. (dot n l) in
+  let cosine = if dot n l > 0. then Float.max 0. (dot shading l) else 0. in
   Color.scale (cosine *. f *. light.intensity) light.color
 
 let shadow_ray (light : Light.t) a e =
@@ -429,14 +496,14 @@ let shadow_ray (light : Light.t) a e =
   | Directional along -> { o = a; d = -(along :> Vec3.t); rho = infinity }
   | Spherical s -> { o = a; d = unit (s - a); rho = length (s - a) -. e }
 
-let light scene p n e =
+let light scene p n shading e =
   let casting = List.filter (fun (o : Object.t) -> not o.is_shadowless) in
   let objects = casting scene.Scene.objects in
   let reaches light =
     hits scene objects (shadow_ray light (p + (e * n)) e) = []
   in
   let gives light =
-    if reaches light then received light p n else Color.black
+    if reaches light then received light p n shading else Color.black
   in
   List.fold_left ( ++ ) Color.black (List.map gives scene.lights)
 
@@ -447,14 +514,17 @@ let rec trace (scene : Scene.t) left ray =
   | None -> scene.background
   | Some { t; shape; surface; sign } ->
       let p = at ray t in
-      let n = facing ray (sign * outward shape p)
-      and e = offset scene (size shape) p ray in
+      let outward = sign * outward shape p in
+      let n = facing ray outward and e = offset scene (size shape) p ray in
+      let s = sign * shading shape p in
+      let s = if n = outward then s else -s in
+      let s = if dot ray.d s < 0. then s else n in
       let emission, albedo, mirror = denotes surface in
-      let reflected =
-        { o = p + (e * n); d = mirrored ray.d n; rho = infinity }
-      in
+      let d = mirrored ray.d s in
+      let aside = if dot n d < 0. then -.e else e in
+      let reflected = { o = p + (aside * n); d; rho = infinity } in
       emission
-      ++ Color.multiply albedo (light scene p n e)
+      ++ Color.multiply albedo (light scene p n s e)
       ++ Color.multiply mirror (trace scene (pred left) reflected)
 
 (* {1 Pixels} *)
