@@ -186,6 +186,10 @@ let light { Explain.number = n; light; place = at; verdict = v } :
       ]
     @ verdict v)
 
+let smoothed = function
+  | None -> []
+  | Some normal -> [ ("smoothed", direction normal) ]
+
 let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
   `Assoc
     (("object", object_ h.hit.number h.object_ h.place)
@@ -194,6 +198,9 @@ let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
         ("t", number h.hit.t);
         ("point", vector h.hit.point);
         ("normal", direction h.hit.normal);
+      ]
+    @ smoothed h.hit.shading
+    @ [
         ("outside", `Bool h.hit.outside);
         ("part", int h.hit.part);
         ("own_point", vector h.hit.own_point);

@@ -32,6 +32,9 @@ TERM  = { "source": "background", "emitted", "diffused" or "mirrored",
 HIT   = { "object": OBJECT,
           "primitive": PRIMITIVE,         if that is a solid
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
+          "smoothed": VECTOR,             the normal by which light is
+                                          reckoned, if that of a smooth
+                                          mesh is another
           "outside": BOOL,                whether that is the normal on the
                                           outside of the object
           "part": INT,                    which part of the object or

@@ -16,7 +16,9 @@ let is_smooth mesh = mesh.is_smooth
 let box mesh = mesh.box
 let open_edge mesh = mesh.open_edge
 let is_closed mesh = Option.is_none mesh.open_edge
-let volume mesh = Mesh_edges.volume mesh.facets
+
+let volume { facets; _ } =
+  Mesh_edges.volume facets ~apex:(Mesh_edges.point facets facets.corners.(0))
 
 (* {1 Making} *)
 
@@ -247,11 +249,7 @@ let settle mesh ~part (ray : Raw_ray.t) (spot : Spot.t) =
 
 (* {1 Depth} *)
 
-let point { facets; _ } k =
-  Vec3.make
-    facets.points.(3 * k)
-    facets.points.((3 * k) + 1)
-    facets.points.((3 * k) + 2)
+let point { facets; _ } = Mesh_edges.point facets
 
 (* A point is inside if a ray from it crosses the mesh an odd number of times. *)
 let is_inside mesh { Vec3.x; y; z } =

@@ -17,8 +17,8 @@ type t
 
 val make : ?domains:int -> name:string -> Facets.t -> t
 (** [make ~domains ~name facets] is the mesh of [facets], at least one, called
-    [name]: that of its file. It is not smooth. Its hierarchy is built on at
-    most [domains] domains, by default 1.
+    [name]: that of its file. It is not smooth. Its hierarchy is built on at most [domains]
+    domains, by default 1.
 
     Raises [Invalid_argument] if the facets are not as {!Facets.t} says, or
     there is no triangle. *)
@@ -53,7 +53,7 @@ val is_closed : t -> bool
 (** [is_closed mesh] is whether it has an inside: {!open_edge} is [None]. *)
 
 val volume : t -> float
-(** [volume mesh] is {!Mesh_edges.volume}. *)
+(** [volume mesh] is {!Mesh_edges.volume}, from one of its corners. *)
 
 (** {1 What is hit} *)
 

@@ -64,22 +64,30 @@ let open_edge (facets : Facets.t) ~places =
   in
   first_open 0
 
-(* The sum of the tetrahedra between a point and each triangle. The point is one
-   of the mesh, so that little is lost where that lies far away. *)
-let volume (facets : Facets.t) =
-  let point k =
-    Vec3.make (coordinate facets k 0) (coordinate facets k 1)
-      (coordinate facets k 2)
-  in
-  let apex = point facets.corners.(0) in
-  let corner triangle k =
-    Vec3.sub (point facets.corners.((3 * triangle) + k)) apex
-  in
-  let sum = ref 0. in
+let point facets k =
+  Vec3.make (coordinate facets k 0) (coordinate facets k 1)
+    (coordinate facets k 2)
+
+let fold_triangles (facets : Facets.t) start add =
+  let sum = ref start in
   for triangle = 0 to Facets.count facets - 1 do
-    let a = corner triangle 0
-    and b = corner triangle 1
-    and c = corner triangle 2 in
-    sum := !sum +. Vec3.dot a (Vec3.cross b c)
+    let corner k = point facets facets.corners.((3 * triangle) + k) in
+    sum := add !sum (corner 0) (corner 1) (corner 2)
   done;
-  !sum /. 6.
+  !sum
+
+(* The sum of the tetrahedra between the point and each triangle. *)
+let volume facets ~apex =
+  let add sum a b c =
+    let from p = Vec3.sub p apex in
+    sum +. Vec3.dot (from a) (Vec3.cross (from b) (from c))
+  in
+  fold_triangles facets 0. add /. 6.
+
+let area facets =
+  let add (sum, whole) a b c =
+    let twice = Vec3.cross (Vec3.sub b a) (Vec3.sub c a) in
+    let area = Vec3.scale 0.5 twice in
+    (Vec3.add sum area, whole +. Vec3.length area)
+  in
+  fold_triangles facets (Vec3.zero, 0.) add

@@ -17,6 +17,16 @@ val open_edge : Facets.t -> places:int array -> edge option
 (** [open_edge facets ~places] is the first edge that is not that of exactly
     two triangles; [None] if there is none: the mesh is closed. *)
 
-val volume : Facets.t -> float
-(** [volume facets] is the volume of what a closed mesh encloses; negative if
-    the normals of its triangles, as they are wound, point inward. *)
+val point : Facets.t -> int -> Vec3.t
+(** [point facets k] is the point [k], from 0. *)
+
+val volume : Facets.t -> apex:Vec3.t -> float
+(** [volume facets ~apex] is the volume of what a closed mesh encloses,
+    whatever [apex] is; negative if the normals of its triangles, as they are
+    wound, point inward. The nearer [apex] is, the less is lost by rounding. Of
+    a mesh that is open it is that of the cones from [apex] to the triangles.
+*)
+
+val area : Facets.t -> Vec3.t * float
+(** [area facets] is the sum of the normals of all triangles, each as long as
+    its area, and the whole area. *)

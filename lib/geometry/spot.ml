@@ -107,6 +107,9 @@ let point { x; y; z; _ } = Vec3.make x y z
 let own { own_x; own_y; own_z; _ } = Vec3.make own_x own_y own_z
 let normal { nx; ny; nz; _ } = Direction.of_vec3_exn (Vec3.make nx ny nz)
 
+let shading { shading_x; shading_y; shading_z; _ } =
+  Direction.of_vec3_exn (Vec3.make shading_x shading_y shading_z)
+
 let of_point ~point:(p : Vec3.t) ~(normal : Direction.t) ~offset =
   let spot = create () and n = (normal :> Vec3.t) in
   set_point spot p.x p.y p.z;

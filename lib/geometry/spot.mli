@@ -89,3 +89,6 @@ val own : t -> Vec3.t
 
 val normal : t -> Direction.t
 (** [normal spot] is the normal. *)
+
+val shading : t -> Direction.t
+(** [shading spot] is the normal for shading. *)

@@ -5,6 +5,7 @@ type t = {
   named : (Span.t * string) list;
   missing : string list;
   taken : Taken.t list;
+  meshes : Raylab_geometry.Mesh.t list;
   unused : Raylab_scene.Warning.t list;
   syntax : (Syntax.t, Scene_error.t list) result;
 }
@@ -188,6 +189,7 @@ let read access sources =
     named = List.rev named;
     missing = List.rev missing;
     taken = List.sort by_place (List.concat taken);
+    meshes = Models.meshes models;
     unused = Models.warnings models;
     syntax;
   }

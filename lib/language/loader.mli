@@ -9,6 +9,8 @@ type t = {
   missing : string list;  (** paths of files that could not be read *)
   taken : Taken.t list;
       (** in the order of the files, and of the text in each *)
+  meshes : Raylab_geometry.Mesh.t list;
+      (** those that were read, none smooth *)
   unused : Raylab_scene.Warning.t list;
       (** what files of meshes have and raylab does not use *)
   syntax : (Syntax.t, Scene_error.t list) result;

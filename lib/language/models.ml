@@ -4,11 +4,13 @@ open Raylab_mesh_file
 
 type t = {
   known : (string, (Model.t * string, Access.refusal) result) Hashtbl.t;
+  mutable meshes : Raylab_geometry.Mesh.t list; (* the last one first *)
   mutable triangles : int; (* of all of them *)
   mutable warnings : Warning.t list; (* the last one first *)
 }
 
-let start () = { known = Hashtbl.create 7; triangles = 0; warnings = [] }
+let start () =
+  { known = Hashtbl.create 7; meshes = []; triangles = 0; warnings = [] }
 
 let warn models offset name (fault : Fault.t) =
   let text =
@@ -25,7 +27,9 @@ let of_bytes models offset name format bytes =
       models.triangles <-
         models.triangles + Raylab_geometry.Facets.count facets;
       List.iter (warn models offset name) faults;
-      Ok (Model.make ~name facets)
+      let model = Model.make ~name facets in
+      models.meshes <- Model.mesh model ~is_smooth:false :: models.meshes;
+      Ok model
 
 let no_format () =
   Access.refuse "its name does not say which format it has"
@@ -46,4 +50,5 @@ let find models ~at ~name bytes (found : Access.found) =
       Hashtbl.add models.known found.identity model;
       model
 
+let meshes models = List.rev models.meshes
 let warnings models = List.rev models.warnings

@@ -22,6 +22,10 @@ val find :
     the offset [at]. If it has not been read yet, [bytes ()] is what it holds.
     All together have at most {!Mesh_file.most_triangles}. *)
 
+val meshes : t -> Raylab_geometry.Mesh.t list
+(** [meshes models] is all of them, none smooth, in the order in which they
+    were read. *)
+
 val warnings : t -> Warning.t list
 (** [warnings models] is what their files have and raylab does not use, in the
     order in which they were read. *)

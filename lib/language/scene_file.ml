@@ -12,12 +12,20 @@ type reading = {
   sources : Sources.t;
   named : (Span.t * string) list;
   missing : string list;
+  meshes : Mesh.t list;
   scene : (Scene.t, Scene_error.t list) result;
   noted : Warning.t list;
 }
 
 let unread scene =
-  { sources = Sources.none; named = []; missing = []; scene; noted = [] }
+  {
+    sources = Sources.none;
+    named = [];
+    missing = [];
+    meshes = [];
+    scene;
+    noted = [];
+  }
 
 (* A file that is not UTF-8, if there is one. *)
 let foreign sources =
@@ -42,7 +50,7 @@ let read_all ?time access sources =
   if Sources.size sources > max_size then
     unread (too_large (Sources.name sources 0))
   else
-    let { Loader.sources; named; missing; taken; unused; syntax } =
+    let { Loader.sources; named; missing; meshes; taken; unused; syntax } =
       try Loader.read access sources
       with Stack_overflow ->
         let syntax = Error [ too_deep sources ] in
@@ -50,6 +58,7 @@ let read_all ?time access sources =
           Loader.sources;
           named = [];
           missing = [];
+          meshes = [];
           taken = [];
           unused = [];
           syntax;
@@ -64,7 +73,7 @@ let read_all ?time access sources =
       | exception Stack_overflow -> Error [ too_deep sources ]
     in
     let noted = Taken.warnings taken @ unused in
-    { sources; named; missing; scene; noted }
+    { sources; named; missing; meshes; scene; noted }
 
 let findings { scene; noted; _ } =
   noted @ Result.fold ~ok:Scene.findings ~error:(fun _ -> []) scene

@@ -32,6 +32,8 @@ type reading = {
   named : (Span.t * string) list;
       (** where a file is named, with the quotes, and the path of it *)
   missing : string list;  (** paths of files that could not be read *)
+  meshes : Raylab_geometry.Mesh.t list;
+      (** those that were read, each once and none smooth *)
   scene : (Scene.t, Scene_error.t list) result;
   noted : Warning.t list;
       (** of names that take over a word of the language, and of what files of

@@ -13,6 +13,9 @@ type t = {
   point : Vec3.t;  (** the point of the object's shape *)
   own_point : Vec3.t;  (** the same in the shape's own coordinates *)
   normal : Direction.t;  (** the unit normal on the side the ray comes from *)
+  shading : Direction.t option;
+      (** on a smooth mesh the one by which light is reckoned, if that is
+          another *)
   outside : bool;
       (** whether that is the side of the shape's outward normal *)
   offset : float;
@@ -28,6 +31,10 @@ val of_registers :
 val start : t -> Vec3.t
 (** [start hit] is the point from which rays leave: [point + offset * normal].
 *)
+
+val pp_normal : Format.formatter -> t -> unit
+(** [pp_normal] prints [(0, 0, -1)], or
+    [(0, 0, -1), smoothed to (0.6, 0, -0.8)]. *)
 
 val pp : Format.formatter -> t -> unit
 (** [pp] prints [t = 5 at (0, 0, 1), normal (0, 0, -1)]. *)

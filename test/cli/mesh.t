@@ -43,6 +43,42 @@ A device and a folder are no meshes.
         |                                   ^^^^^^^^^^
   [1]
 
+What there is to know of a mesh, "raylab check" tells. Two readers may want that.
+
+  $ (cat scene; echo 'mesh "../shared/roof.obj" smooth reflective mesh "../shared/roof.obj" reflective') > house/x.scene
+  $ raylab check house/x.scene --allow shared
+  house/x.scene: warning: mesh 3 is where mesh 2 is: they hide each other (lines 4 and 4)
+  house/x.scene: mesh ../shared/roof.obj: 1 triangle from (-1, 0, 4) to (1, 1, 4), open: face 1 (line 4 of ../shared/roof.obj) has an edge from (-1, 0, 4) to (0, 1, 4) that no other face has; most of its normals point along (0, 0, -1)
+  $ raylab check house/x.scene --allow shared --json
+  {
+    "version": 1,
+    "scenes": [
+      {
+        "scene": "house/x.scene",
+        "problems": [
+          {
+            "severity": "warning",
+            "file": "house/x.scene",
+            "line": 4,
+            "columns": [ 1, 4 ],
+            "message": "mesh 3 is where mesh 2 is: they hide each other (lines 4 and 4)",
+            "remedy": ""
+          }
+        ],
+        "meshes": [
+          {
+            "file": "../shared/roof.obj",
+            "triangles": 1,
+            "low": [ -1.0, 0.0, 4.0 ],
+            "high": [ 1.0, 1.0, 4.0 ],
+            "open": "face 1 (line 4 of ../shared/roof.obj) has an edge from (-1, 0, 4) to (0, 1, 4) that no other face has",
+            "normals": [ 0.0, 0.0, -1.0 ]
+          }
+        ]
+      }
+    ]
+  }
+
 A scene that is printed reads back, and so does its picture.
 
   $ cp shared/roof.obj house && (cat scene; echo 'mesh "roof.obj" smooth diffusive red scaled 2') > house/main.scene
@@ -70,6 +106,8 @@ The folder of a job has copies, wherever they come from.
   $ cmp house/roof.obj job.slurm/roof.obj
   $ cmp shared/roof.obj job.slurm/included/1/roof.obj
   $ raylab check job.slurm/picture.scene
+  job.slurm/picture.scene: mesh included/1/roof.obj: 1 triangle from (-1, 0, 4) to (1, 1, 4), open: face 1 (line 4 of included/1/roof.obj) has an edge from (-1, 0, 4) to (0, 1, 4) that no other face has; most of its normals point along (0, 0, -1)
+  job.slurm/picture.scene: mesh roof.obj: 1 triangle from (-1, 0, 4) to (1, 1.5, 4), open: face 1 (line 4 of roof.obj) has an edge from (-1, 0, 4) to (0, 1.5, 4) that no other face has; most of its normals point along (0, 0, -1)
 
 The name of a file controls no terminal.
 
@@ -79,3 +117,4 @@ The name of a file controls no terminal.
   0
   [1]
   $ raylab check --expand house/main.scene > house/expanded.scene && raylab check house/expanded.scene
+  house/expanded.scene: mesh r�[31m.obj: 1 triangle from (-1, 0, 4) to (1, 1.5, 4), open: face 1 (line 4 of r�[31m.obj) has an edge from (-1, 0, 4) to (0, 1.5, 4) that no other face has; most of its normals point along (0, 0, -1)

@@ -84,6 +84,40 @@ let test_whole () =
   check "depth off it" 0.25 (v 1. 0.25 1.);
   check "depth outside" (-5.) (v 5. 6. 2.)
 
+let turned (f : Facets.t) =
+  let corner k =
+    (* the second and the third change places *)
+    f.corners.(match k mod 3 with 0 -> k | 1 -> k + 1 | _ -> k - 1)
+  in
+  { f with corners = Array.mapi (fun k _ -> corner k) f.corners }
+
+let without_first count (f : Facets.t) =
+  let rest array size =
+    Array.sub array (size * count) (Array.length array - (size * count))
+  in
+  {
+    f with
+    corners = rest f.corners 3;
+    faces = rest f.faces 1;
+    places = rest f.places 1;
+  }
+
+let test_survey () =
+  let check what expected facets =
+    let { Mesh_survey.normals; _ } = Mesh_survey.make (mesh facets) in
+    Alcotest.(check bool) what true (normals = expected)
+  in
+  check "a cube" Outward cube;
+  check "turned inside out" Inward (turned cube);
+  check "an open one" Outward (without_first 2 cube);
+  check "an open one, turned" Inward (turned (without_first 2 cube));
+  check "a side of it" (Along (dir 0. 0. 1.)) (without_first 10 cube);
+  Alcotest.(check string)
+    "in words"
+    "12 triangles from (0, 0, 0) to (2, 2, 2), closed; its normals point \
+     outward"
+    (Mesh_survey.to_string (Mesh_survey.make (mesh cube)))
+
 let without_last (f : Facets.t) =
   let count = Facets.count f - 1 in
   {
@@ -281,6 +315,7 @@ let suite =
       Alcotest.test_case "spots" `Quick test_spot;
       Alcotest.test_case "as a whole" `Quick test_whole;
       Alcotest.test_case "open" `Quick test_open;
+      Alcotest.test_case "surveys" `Quick test_survey;
       Alcotest.test_case "points apart" `Quick test_apart;
       Alcotest.test_case "smooth" `Quick test_smooth;
       Alcotest.test_case "refused" `Quick test_refused;
