@@ -17,8 +17,8 @@ type t
 
 val make : ?domains:int -> name:string -> Facets.t -> t
 (** [make ~domains ~name facets] is the mesh of [facets], at least one, called
-    [name]: that of its file. It is not smooth. Its hierarchy is built on at most [domains]
-    domains, by default 1.
+    [name]: that of its file. It is not smooth. Its hierarchy is built on at
+    most [domains] domains, by default 1.
 
     Raises [Invalid_argument] if the facets are not as {!Facets.t} says, or
     there is no triangle. *)
