@@ -1,4 +1,5 @@
 open Cmdliner
+open Raylab_geometry
 open Raylab_language
 open Raylab_explanation
 open Raylab_picture
@@ -18,21 +19,35 @@ let print text =
   in
   Result.iter_error Command.write_error (Signals.for_readers print)
 
+(* What cannot be seen of a mesh in the text of a scene. *)
+let survey path { Scene_file.meshes; _ } =
+  let tell mesh =
+    Printf.sprintf "%s: mesh %s: %s" path (Mesh.file mesh)
+      (Mesh_survey.to_string (Mesh_survey.make mesh))
+  in
+  let line mesh = Raylab_source.Printable.text (tell mesh) ^ "\n" in
+  if meshes <> [] then print (String.concat "" (List.map line meshes))
+
 let print_expanded scene = print (Format.asprintf "%a" Scene_file.expand scene)
 
-(* The problems of a scene, as far as they are wanted, and whether it is
-   right. *)
+(* What JSON tells of a scene, if that is wanted, and whether it is right. *)
 let check_one ~access form path =
   let reading = Scene_file.read ~access path in
-  let problems =
+  let found =
     match form with
-    | Json -> Problem.of_reading path reading
-    | Text | Expanded ->
+    | Json ->
+        let problems = Problem.of_reading path reading in
+        [ { Problem_json.path; problems; meshes = reading.meshes } ]
+    | Text ->
         tell path reading;
+        survey path reading;
+        []
+    | Expanded ->
+        tell path reading;
+        Result.iter print_expanded reading.scene;
         []
   in
-  if form = Expanded then Result.iter print_expanded reading.scene;
-  ((path, problems), Result.is_ok reading.scene)
+  (found, Result.is_ok reading.scene)
 
 let check allow form paths () =
   if form = Expanded && List.length paths > 1 then
@@ -41,7 +56,8 @@ let check allow form paths () =
   (* every scene is read, also after one in error *)
   let checked = List.map (check_one ~access form) paths in
   if form = Json then
-    print (Json.to_string (Problem_json.document (List.map fst checked)));
+    print
+      (Json.to_string (Problem_json.document (List.concat_map fst checked)));
   if not (List.for_all snd checked) then
     raise (Command.Ended Exit_code.scene_error)
 
@@ -73,6 +89,10 @@ let cmd =
       `P
         "Reads each $(i,SCENE) and prints every error and warning to standard \
          error. Renders nothing. Warnings do not change the exit status.";
+      `P
+        "Of each mesh it prints to standard output how many triangles it has, \
+         from where to where it goes, whether it is closed, or else where it \
+         is open, and which way its normals point.";
       `S "JSON";
       `P "With $(b,--json) the output is";
       `Pre Problem_json.schema;

@@ -101,7 +101,7 @@ let slurm options () =
   Warnings.tell_as options.view options.scene reading;
   let folder = Filename.remove_extension out ^ ".slurm" in
   let job = job options ~out scene.camera
-  and files = Copies.make reading.sources reading.inclusions in
+  and files = Copies.make reading.sources reading.named in
   or_write_error (Folder.write folder ~files job);
   if options.submit then submit folder
   else

@@ -16,10 +16,7 @@ let load ~allow path ?watch ?(on_read = ignore) ~adjust () =
   let access = Raylab_disk.Disk.access ~allow in
   let reading = Scene_file.read ~access path in
   let { Scene_file.sources; missing; scene; _ } = reading in
-  let paths =
-    List.map (fun file -> file.Sources.path) (Sources.files sources)
-  in
-  let follow watch = Watch.follow watch (paths @ missing) in
+  let follow watch = Watch.follow watch (Sources.paths sources @ missing) in
   Option.iter follow watch;
   on_read reading;
   match scene with

@@ -54,7 +54,7 @@ let read ~limit { Access.identity; _ } =
   match
     let flags = [ Unix.O_RDONLY; O_NONBLOCK; O_CLOEXEC; O_NOCTTY ] in
     match kind (Unix.LargeFile.stat identity).st_kind with
-    | Some kind -> Access.refuse (kind ^ ", not a file of text")
+    | Some kind -> Access.refuse (kind ^ ", not a file")
     | None ->
         let descriptor = Unix.openfile identity flags 0 in
         Fun.protect

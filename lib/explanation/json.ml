@@ -24,6 +24,7 @@ let text s : Yojson.Safe.t = `String s
 let numbers_of : Parameter.t -> Yojson.Safe.t = function
   | Number x -> number x
   | Triple (x, y, z) -> numbers [ x; y; z ]
+  | Text value | Word value -> text value
 
 let parameter (name, parameter) = (name, numbers_of parameter)
 
@@ -231,6 +232,10 @@ let refraction { Lobes.index; plain; fresnel; glass } : Yojson.Safe.t =
       ("glass", color glass);
     ]
 
+let smoothed = function
+  | None -> []
+  | Some normal -> [ ("smoothed", direction normal) ]
+
 let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
   `Assoc
     (("object", object_ h.hit.number h.object_ h.place)
@@ -239,6 +244,9 @@ let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
         ("t", number h.hit.t);
         ("point", vector h.hit.point);
         ("normal", direction h.hit.normal);
+      ]
+    @ smoothed h.hit.shading
+    @ [
         ("outside", `Bool h.hit.outside);
         ("part", int h.hit.part);
         ("own_point", vector h.hit.own_point);

@@ -50,13 +50,18 @@ TERM  = { "source": "background", "emitted", "diffused", "shine",
 HIT   = { "object": OBJECT,
           "primitive": PRIMITIVE,         if that is a solid
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
+          "smoothed": VECTOR,             the normal by which light is
+                                          reckoned, if that of a smooth
+                                          mesh is another
           "outside": BOOL,                whether that is the normal on the
                                           outside of the object
-          "part": INT,                    which part of the object is hit:
-                                          of a box 0 to 5, its left and
-                                          right side, bottom, top, front
-                                          and back; of a cylinder or cone
-                                          0, the wall, 1 or 2, its ends
+          "part": INT,                    which part of the object or
+                                          primitive is hit: of a box 0 to
+                                          5, its left and right side,
+                                          bottom, top, front and back; of a
+                                          cylinder or cone 0, the wall, 1
+                                          or 2, its ends; of a mesh which
+                                          of its triangles, from 0
           "own_point": VECTOR,            the point in the object's own
                                           coordinates
           "offset": NUMBER,               along the normal, of rays to come
@@ -102,6 +107,7 @@ PART    = what it takes there, in that order, by name:
           "radius_b", a "torus" has "centre", "axis", "ring" and "tube",
           a "disc" has "centre", "normal" and "radius", a "triangle" has
           "a", "b" and "c", a "quad" has "corner", "edge" and "other";
+          a "mesh" has "file" and, if it is smooth, "shading": "smooth";
           "diffusive" and "luminous" have "color", "glossy" has
           "sharpness" and "color", "refractive" and "glass" have "index"
           and "color";

@@ -15,7 +15,9 @@ let at_place name = function
 let with_part shape part name =
   match Shape.part shape part with
   | None -> name
-  | Some word -> Printf.sprintf "the %s of %s" word name
+  | Some word ->
+      (* a file's name may be in it *)
+      Printf.sprintf "the %s of %s" (Raylab_source.Printable.text word) name
 
 let number_of number { Explain.index; _ } = Printf.sprintf "%d.%d" number index
 

@@ -1,5 +1,6 @@
 (** What is wrong with scenes, for other programs, as JSON (RFC 8259). *)
 
+open Raylab_geometry
 open Raylab_language
 
 val version : int
@@ -8,6 +9,8 @@ val version : int
 val schema : string
 (** [schema] says what the document is, for people. *)
 
-val document : (string * Problem.t list) list -> Yojson.Safe.t
-(** [document scenes] is the document about these paths of scenes and what was
-    found in each. *)
+type scene = { path : string; problems : Problem.t list; meshes : Mesh.t list }
+(** The type for what was found in the scene at a path. *)
+
+val document : scene list -> Yojson.Safe.t
+(** [document scenes] is the document about these. *)

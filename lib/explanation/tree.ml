@@ -105,7 +105,7 @@ let print_hit ppf indent e (h : Explain.surface_hit) =
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
     (Naming.by_number ?primitive hit.number object_ place
     |> Naming.with_part shape hit.part)
-    Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
+    Number.pp hit.t Vec3.pp hit.point Hit.pp_normal hit;
   line ppf indent "surface: %a" text (Format.asprintf "%a" Surface.pp surface);
   line ppf indent "that is, %a" Lobes.pp lobes;
   let say words = line ppf indent "%a" text words in

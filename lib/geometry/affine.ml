@@ -150,6 +150,8 @@ let[@inline] bring a (ray : Raw_ray.t) length =
 
 let bring_spot ~out ~back (ray : Raw_ray.t) (spot : Spot.t) =
   let { Spot.x; y; z; nx; ny; nz; size = own_size; _ } = spot in
+  let { Spot.shading_x; shading_y; shading_z; _ } = spot in
+  let is_smooth = Spot.is_smooth spot in
   let largest = size out in
   Spot.set_point spot
     (along out.xx out.xy out.xz x y z +. out.x)
@@ -165,4 +167,13 @@ let bring_spot ~out ~back (ray : Raw_ray.t) (spot : Spot.t) =
   if squared > 0. && squared < infinity then
     let scale = 1. /. sqrt squared in
     Spot.set_normal spot (x *. scale) (y *. scale) (z *. scale)
-  else Spot.set_normal spot ray.dx ray.dy ray.dz
+  else Spot.set_normal spot ray.dx ray.dy ray.dz;
+  if is_smooth then
+    let nx = shading_x and ny = shading_y and nz = shading_z in
+    let x = along back.xx back.yx back.zx nx ny nz
+    and y = along back.xy back.yy back.zy nx ny nz
+    and z = along back.xz back.yz back.zz nx ny nz in
+    let squared = along x y z x y z in
+    if squared > 0. && squared < infinity then
+      let scale = 1. /. sqrt squared in
+      Spot.set_shading_normal spot (x *. scale) (y *. scale) (z *. scale)

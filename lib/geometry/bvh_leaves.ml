@@ -2,34 +2,19 @@ open Bigarray
 
 type boxes = (float, float64_elt, c_layout) Array1.t
 type kind = Sphere | Other
-type t = { boxes : boxes; numbers : int array; shapes : Shape.t array }
+type t = { boxes : boxes; numbers : int array; kinds : int -> kind }
 
-let of_shapes shapes =
-  let count_bounded count shape =
-    if Option.is_some (Shape.box shape) then count + 1 else count
-  in
-  let count = Array.fold_left count_bounded 0 shapes in
-  let leaves =
-    {
-      boxes = Array1.create Float64 C_layout (6 * count);
-      numbers = Array.make count 0;
-      shapes;
-    }
-  and place = ref 0 in
-  let add number { Box3.low; high } =
-    let at = 6 * !place in
-    leaves.boxes.{at} <- low.x;
-    leaves.boxes.{at + 1} <- high.x;
-    leaves.boxes.{at + 2} <- low.y;
-    leaves.boxes.{at + 3} <- high.y;
-    leaves.boxes.{at + 4} <- low.z;
-    leaves.boxes.{at + 5} <- high.z;
-    leaves.numbers.(!place) <- number;
-    incr place
-  in
-  Array.iteri (fun number s -> Option.iter (add number) (Shape.box s)) shapes;
-  leaves
+let create ~kinds count =
+  {
+    boxes = Array1.create Float64 C_layout (6 * count);
+    numbers = Array.init count Fun.id;
+    kinds;
+  }
 
+let[@inline] set_side { boxes; _ } place side x =
+  boxes.{(6 * place) + side} <- x
+
+let set_number { numbers; _ } place number = numbers.(place) <- number
 let count { numbers; _ } = Array.length numbers
 
 let[@inline] side { boxes; _ } place side =
@@ -39,8 +24,7 @@ let[@inline] centre leaves place axis =
   (0.5 *. side leaves place (2 * axis))
   +. (0.5 *. side leaves place ((2 * axis) + 1))
 
-let kind { numbers; shapes; _ } place =
-  match shapes.(numbers.(place)) with Shape.Sphere _ -> Sphere | _ -> Other
+let kind { numbers; kinds; _ } place = kinds numbers.(place)
 
 let one_kind leaves first stop =
   let first_kind = kind leaves first in
@@ -68,24 +52,5 @@ let partition leaves goes_first first stop =
       loop low (high - 1))
   in
   loop first stop
-
-let spheres { numbers; shapes; _ } =
-  let is_sphere = function Shape.Sphere _ -> true | _ -> false in
-  let rows =
-    if Array.exists is_sphere shapes then Array.length numbers else 0
-  in
-  let spheres = Array.make (4 * rows) 0. in
-  let write place number =
-    match shapes.(number) with
-    | Shape.Sphere { cx; cy; cz; radius } ->
-        let at = 4 * place in
-        spheres.(at) <- cx;
-        spheres.(at + 1) <- cy;
-        spheres.(at + 2) <- cz;
-        spheres.(at + 3) <- radius
-    | _ -> ()
-  in
-  Array.iteri write numbers;
-  spheres
 
 let numbers leaves = leaves.numbers

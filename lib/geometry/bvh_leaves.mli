@@ -1,12 +1,24 @@
-(** The shapes that a bounding volume hierarchy is built over, each known by
-    its box. Building the tree brings them into the order of its leaves. *)
+(** What a bounding volume hierarchy is built over: shapes or triangles, each
+    known by its box. Building the tree brings them into the order of its
+    leaves. *)
 
 type t
 (** The type for leaves. Each lies at a place, from 0. *)
 
-val of_shapes : Shape.t array -> t
-(** [of_shapes shapes] is those among [shapes] that have a box; each has the
-    number that is its place there. *)
+(** Spheres are tested by their numbers in a loop of their own, all others by a
+    function. So that a leaf of the tree has one kind, what is in it does. *)
+type kind = Sphere | Other  (** The type for kinds. *)
+
+val create : kinds:(int -> kind) -> int -> t
+(** [create ~kinds count] is [count] of them, each of which has the number that
+    is its place, and the kind that [kinds] tells of its number. Their boxes
+    are still to be set, and their numbers may be others. *)
+
+val set_side : t -> int -> int -> float -> unit
+(** [set_side leaves place k x] makes [x] the {!side} [k] of a box. *)
+
+val set_number : t -> int -> int -> unit
+(** [set_number leaves place number] makes [number] the one at [place]. *)
 
 val count : t -> int
 (** [count leaves] is how many there are. *)
@@ -24,13 +36,6 @@ val partition : t -> (int -> bool) -> int -> int -> int
     [stop - 1] at whose places [goes_first] holds to the front, and is the
     place where the others start. *)
 
-(** {1 Kinds}
-
-    Spheres are tested by their numbers in a loop of their own, other shapes by
-    {!Shape.offer}. So that a node of the tree has one kind, its shapes do. *)
-
-type kind = Sphere | Other  (** The type for kinds of shapes. *)
-
 val kind : t -> int -> kind
 (** [kind leaves place] is the kind of the shape at [place]. *)
 
@@ -42,7 +47,3 @@ val one_kind : t -> int -> int -> bool
 
 val numbers : t -> int array
 (** [numbers leaves] is the number of the shape at each place. *)
-
-val spheres : t -> float array
-(** [spheres leaves] is the x, y, z and radius of the sphere at each place, and
-    of no meaning for other shapes. *)

@@ -11,7 +11,7 @@ let node_cost = 5.
 let depth_of_heuristic = 50
 
 (* halving ends after 40 levels; a leaf of two kinds is split once more *)
-let max_depth = depth_of_heuristic + 41
+let () = assert (depth_of_heuristic + 41 = Mesh_scratch.max_depth)
 
 (* {1 Boxes}
 

@@ -19,11 +19,6 @@ type t =
   | Kinds  (** spheres from other shapes *)
   | Bins of int  (** after this bin *)
 
-val max_depth : int
-(** [max_depth] is a bound on the depth of any tree. Below a depth of 50 nodes
-    are halved whatever the heuristic says, which goes on for at most 40
-    levels: no array has 2^40 elements. *)
-
 val choose :
   Bvh_leaves.t -> space -> max_leaf:int -> depth:int -> int -> int -> t
 (** [choose leaves space ~max_leaf ~depth first stop] is how to split the node

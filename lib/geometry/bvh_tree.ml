@@ -3,7 +3,7 @@ open Raylab_parallel
 
 type boxes = (float, float64_elt, c_layout) Array1.t
 type links = (int, int_elt, c_layout) Array1.t
-type t = { boxes : boxes; links : links; root : int }
+type t = { boxes : boxes; links : links; root : int; nodes : int }
 
 (* {1 Codes} *)
 
@@ -21,8 +21,6 @@ let[@inline] leaf_first code = lnot code / (2 * max_leaf)
 
 let[@inline] leaf_last code =
   leaf_first code + (lnot code / 2 land (max_leaf - 1))
-
-let max_depth = Bvh_split.max_depth
 
 (* {1 Boxes} *)
 
@@ -106,10 +104,25 @@ let build ~domains leaves =
       boxes = Array1.create Float64 C_layout (12 * inner);
       links = Array1.create Int C_layout (root_link + 1);
       root = none;
+      nodes = 0;
     }
   in
+  let next_node = Atomic.make 0 in
   tree.links.{root_link} <- none;
   if count > 0 then
-    grow_all ~domains tree leaves (Atomic.make 0)
+    grow_all ~domains tree leaves next_node
       { parent = root_link; first = 0; stop = count; depth = 0 };
-  { tree with root = tree.links.{root_link} }
+  { tree with root = tree.links.{root_link}; nodes = Atomic.get next_node }
+
+let compact { boxes; links; root; nodes } =
+  let part kind array length =
+    let part = Array1.create kind C_layout length in
+    Array1.blit (Array1.sub array 0 length) part;
+    part
+  in
+  {
+    boxes = part Float64 boxes (12 * nodes);
+    links = part Int links (3 * nodes);
+    root;
+    nodes;
+  }

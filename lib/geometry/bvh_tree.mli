@@ -14,6 +14,7 @@ type t = private {
       (** three for each inner node: the code of each child, and the axis (0, 1
           or 2) along which the first child comes before the second *)
   root : int;  (** the code of the whole tree *)
+  nodes : int;  (** how many inner nodes are in use, the first ones *)
 }
 (** The type for trees. An inner node's code is its number; a leaf's is
     negative: {!leaf_kind}, {!leaf_first} and {!leaf_last} read it. That of no
@@ -31,9 +32,10 @@ val leaf_first : int -> int
 val leaf_last : int -> int
 (** [leaf_last code] is the place of the leaf's last shape. *)
 
-val max_depth : int
-(** [max_depth] is a bound on the number of inner nodes above any leaf. *)
-
 val build : domains:int -> Bvh_leaves.t -> t
 (** [build ~domains leaves] is the tree over these shapes, which it brings into
     the order of the leaves; split as {!Bvh_split} chooses. *)
+
+val compact : t -> t
+(** [compact tree] is [tree] in arrays that have no more than its nodes, so
+    that trees which were built alike are equal. *)

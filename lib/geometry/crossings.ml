@@ -3,6 +3,7 @@ type t = {
   mutable starts_inside : bool;
   mutable distances : float array;
   mutable parts : int array;
+  mesh : Mesh_scratch.t;
 }
 
 let create () =
@@ -11,6 +12,7 @@ let create () =
     starts_inside = false;
     distances = Array.make 8 0.;
     parts = Array.make 8 0;
+    mesh = Mesh_scratch.create ();
   }
 
 let clear crossings ~starts_inside =
@@ -33,6 +35,22 @@ let divide { count; distances; _ } length =
   for k = 0 to count - 1 do
     distances.(k) <- distances.(k) /. length
   done
+
+let insert crossings ~part t =
+  add crossings ~part t;
+  let { distances; parts; _ } = crossings in
+  let at = ref (crossings.count - 1) in
+  while
+    !at > 0
+    && (distances.(!at - 1) > t
+       || (distances.(!at - 1) = t && parts.(!at - 1) > part))
+  do
+    distances.(!at) <- distances.(!at - 1);
+    parts.(!at) <- parts.(!at - 1);
+    decr at
+  done;
+  distances.(!at) <- t;
+  parts.(!at) <- part
 
 let enters crossings k = k land 1 = 0 <> crossings.starts_inside
 

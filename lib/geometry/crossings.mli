@@ -12,6 +12,7 @@ type t = {
           the shape, as half of all lines do in the half-space of a plane *)
   mutable distances : float array;  (** the first [count] are in use *)
   mutable parts : int array;  (** the part of the shape that is crossed *)
+  mesh : Mesh_scratch.t;
 }
 (** The type for crossings of one line. *)
 
@@ -28,6 +29,10 @@ val add : t -> part:int -> float -> unit
 val divide : t -> float -> unit
 (** [divide crossings length] makes each distance that of a ray which has to go
     1 where this one went [length], greater than 0. *)
+
+val insert : t -> part:int -> float -> unit
+(** [insert crossings ~part t] adds the crossing of [part] at distance [t]
+    where it belongs among those that are there. *)
 
 val enters : t -> int -> bool
 (** [enters crossings k] is whether the line goes in at crossing [k], from 0.

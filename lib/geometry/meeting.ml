@@ -20,7 +20,10 @@ let[@inline] is_none meeting = meeting.number = none
 
 let[@inline] offer meeting (ray : Raw_ray.t) ~number ~part t =
   (* false for NaN *)
-  if t <= ray.reach && t > 0. && (t < ray.reach || number < meeting.number)
+  if
+    t <= ray.reach && t > 0.
+    && (t < ray.reach || number < meeting.number
+       || (number = meeting.number && part < meeting.part))
   then (
     ray.reach <- t;
     meeting.number <- number;

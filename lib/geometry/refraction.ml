@@ -25,7 +25,9 @@ let[@inline] set_total t =
    [eta]. Its square is taken of that part and not of the cosine, so that the
    direction has the length 1 at any angle. *)
 let[@inline] meet t (spot : Spot.t) (ray : Raw_ray.t) ~index =
-  let { Spot.nx; ny; nz; side; _ } = spot in
+  let { Spot.shading_x = nx; shading_y = ny; shading_z = nz; side; _ } =
+    spot
+  in
   let eta = if side > 0. then 1. /. index else index in
   let along = (nx *. ray.dx) +. (ny *. ray.dy) +. (nz *. ray.dz) in
   let x = eta *. (ray.dx -. (along *. nx))

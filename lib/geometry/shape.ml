@@ -8,6 +8,7 @@ type t =
   | Disc of Disc.t
   | Triangle of Triangle.t
   | Quad of Quad.t
+  | Mesh of Mesh.t
   | Placed of t Placed.t
   | Solid of t Solid.t
 
@@ -78,7 +79,7 @@ let by_similarity change = function
            ~centre:(Similarity.point change centre)
            ~normal:(Similarity.direction change (normal :> Vec3.t))
            ~radius:(Similarity.factor change *. radius))
-  | Triangle _ | Quad _ | Placed _ | Solid _ -> None
+  | Triangle _ | Quad _ | Mesh _ | Placed _ | Solid _ -> None
 
 (* What is mirrored keeps the side of its normal. *)
 let by_affine change = function
@@ -99,8 +100,8 @@ let by_affine change = function
         (if Affine.determinant affine < 0. then
            quad ~corner ~edge:other ~other:edge
          else quad ~corner ~edge ~other)
-  | Sphere _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _ | Placed _
-  | Solid _ ->
+  | Sphere _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _ | Mesh _
+  | Placed _ | Solid _ ->
       None
 
 (* What stays of its kind. *)
@@ -126,6 +127,7 @@ let rec box = function
   | Disc d -> Some (Disc.box d)
   | Triangle t -> Some (Box3.around (Triangle.corners t))
   | Quad q -> Some (Box3.around (Quad.corners q))
+  | Mesh m -> Some (Mesh.box m)
   | Placed p -> box_of_placed box p
   | Solid s -> Solid.box box s
 
@@ -140,6 +142,7 @@ let placed p =
 let rec transformed ?(keep_own = false) change shape =
   match (shape, if keep_own then None else baked change shape) with
   | _, Some shape -> shape
+  | own, None when Change.modifiers change = [] -> own
   | Placed p, None -> placed (Placed.change change p)
   | Solid s, None -> Solid (Solid.map (transformed ~keep_own change) s)
   | own, None -> placed (Placed.make change own)
@@ -150,7 +153,15 @@ let rec is_solid = function
   | Sphere _ | Plane _ | Box _ | Cylinder _ | Cone _ | Torus _ | Solid _ ->
       true
   | Disc _ | Triangle _ | Quad _ -> false
+  | Mesh m -> Mesh.is_closed m
   | Placed p -> is_solid p.own
+
+let rec opening = function
+  | Mesh m -> Mesh.opening m
+  | Placed p -> opening p.own
+  | Sphere _ | Plane _ | Box _ | Cylinder _ | Cone _ | Torus _ | Disc _
+  | Triangle _ | Quad _ | Solid _ ->
+      None
 
 (* A solid among the members is a part of the whole. *)
 let rec spread : t Solid.tree -> t Solid.tree = function
@@ -185,6 +196,7 @@ let rec crossings_raw shape ray crossings =
   | Disc d -> Disc.crossings d ray crossings
   | Triangle t -> Triangle.crossings t ray crossings
   | Quad q -> Quad.crossings q ray crossings
+  | Mesh m -> Mesh.crossings m ray crossings
   | Placed p -> Placed.crossings crossings_raw p ray crossings
   | Solid s -> Solid.crossings crossings_raw s ray crossings
 
@@ -199,6 +211,7 @@ let rec offer shape ray meeting ~number =
   | Disc d -> Disc.offer d ray meeting ~number
   | Triangle t -> Triangle.offer t ray meeting ~number
   | Quad q -> Quad.offer q ray meeting ~number
+  | Mesh m -> Mesh.offer m ray meeting ~number
   | Placed p -> Placed.offer offer p ray meeting ~number
   | Solid s -> Solid.offer crossings_raw s ray meeting ~number
 
@@ -213,6 +226,7 @@ let rec settle shape ~part ray spot =
   | Disc d -> Disc.settle d ray spot
   | Triangle t -> Triangle.settle t ray spot
   | Quad q -> Quad.settle q ray spot
+  | Mesh m -> Mesh.settle m ~part ray spot
   | Placed p -> Placed.settle settle p ~part ray spot
   | Solid s -> Solid.settle settle s ~part ray spot
 
@@ -249,6 +263,7 @@ let rec depth_in_solid shape point =
   | Cylinder c -> Frustum.depth (c :> Frustum.t) point
   | Cone c -> Frustum.depth (c :> Frustum.t) point
   | Torus t -> Torus.depth t point
+  | Mesh m -> Mesh.depth m point
   | Placed p -> Placed.depth depth_in_solid p point
   | Solid s -> Solid.depth depth_in_solid s point
   | Disc _ | Triangle _ | Quad _ -> neg_infinity
@@ -272,6 +287,7 @@ let rec name = function
   | Disc _ -> Disc.name
   | Triangle _ -> Triangle.name
   | Quad _ -> Quad.name
+  | Mesh _ -> Mesh.name
   | Placed p -> name p.own
   | Solid s -> Solid.word (Solid.operation s)
 
@@ -279,6 +295,7 @@ let rec part shape k =
   match shape with
   | Box _ -> Some (Box.part k)
   | Cylinder _ | Cone _ -> Frustum.part k
+  | Mesh m -> Some (Mesh.part m k)
   | Placed p -> part p.own k
   | Sphere _ | Plane _ | Torus _ | Disc _ | Triangle _ | Quad _ -> None
   | Solid s ->
@@ -294,6 +311,7 @@ let rec parameters = function
   | Disc d -> Disc.parameters d
   | Triangle t -> Triangle.parameters t
   | Quad q -> Quad.parameters q
+  | Mesh m -> Mesh.parameters m
   | Placed p -> parameters p.own
   | Solid _ -> []
 
@@ -324,6 +342,7 @@ let rec outline : t -> Outline.t = function
       Patch (Round.rim normal (centre, radius))
   | Triangle t -> Patch (Triangle.corners t)
   | Quad q -> Patch (Quad.corners q)
+  | Mesh m -> Body [ Mesh.some_points m ]
   | Placed ({ own; out; _ } as placed) -> (
       let all = List.map (Affine.point out) in
       match outline own with
@@ -340,6 +359,12 @@ let equal_modifier a b =
   Change.name a = Change.name b
   && List.equal equal_parameter (Change.parameters a) (Change.parameters b)
 
+let rec equal_mesh a b =
+  match (a, b) with
+  | Mesh a, Mesh b -> Mesh.equal a b
+  | Placed a, Placed b -> equal_mesh a.own b.own
+  | _ -> true
+
 let rec equal a b =
   match (a, b) with
   | Solid a, Solid b ->
@@ -349,6 +374,7 @@ let rec equal a b =
       name a = name b
       && List.equal equal_parameter (parameters a) (parameters b)
       && List.equal equal_modifier (modifiers a) (modifiers b)
+      && equal_mesh a b
 
 let of_frustum frustum =
   Array.append [| 3. |] (Round.place (Frustum.circles frustum))
@@ -365,6 +391,7 @@ let rec place = function
   | Disc d -> Array.append [| 5. |] (Disc.place d)
   | Triangle t -> Array.append [| 6. |] (Flat.place (Triangle.corners t))
   | Quad q -> Array.append [| 7. |] (Flat.place (Quad.corners q))
+  | Mesh m -> Array.append [| 8. |] (Mesh.place m)
   | Placed p -> Array.concat [ [| -1. |]; Affine.numbers p.out; place p.own ]
   | Solid s ->
       Array.concat
@@ -381,6 +408,7 @@ let rec pp ppf = function
   | Disc d -> Disc.pp ppf d
   | Triangle t -> Triangle.pp ppf t
   | Quad q -> Quad.pp ppf q
+  | Mesh m -> Mesh.pp ppf m
   | Placed p as placed ->
       Format.fprintf ppf "%a%a" pp p.own (Change.pp_with Number.pp)
         (modifiers placed)

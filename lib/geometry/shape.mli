@@ -17,6 +17,7 @@ type t =
   | Disc of Disc.t
   | Triangle of Triangle.t
   | Quad of Quad.t
+  | Mesh of Mesh.t
   | Placed of t Placed.t
       (** what a change has made another kind of shape; the own shape is
           neither [Placed] nor [Solid] *)
@@ -74,6 +75,10 @@ val transformed : ?keep_own:bool -> Change.t -> t -> t
 
 val is_solid : t -> bool
 (** [is_solid shape] is whether it has an inside: a half-space, for a plane. *)
+
+val opening : t -> string option
+(** [opening shape] is where a mesh is open that is therefore no solid;
+    {!Mesh.opening}. *)
 
 val solid : t Solid.tree -> t
 (** [solid tree] is what [tree] says of its members. A solid among them is as

@@ -12,6 +12,11 @@ type t = {
   mutable nz : float;
       (** the unit normal, of the flat surface: outward as the shape writes it,
           after {!turn_to} on the side from which the ray comes *)
+  mutable shading_x : float;
+  mutable shading_y : float;
+  mutable shading_z : float;
+      (** the unit normal by which light is reckoned: that of the surface, but
+          on a smooth mesh *)
   mutable own_x : float;
   mutable own_y : float;
   mutable own_z : float;
@@ -45,13 +50,24 @@ val set_own : t -> float -> float -> float -> unit
 (** [set_own spot x y z] makes (x, y, z) its own point. *)
 
 val set_normal : t -> float -> float -> float -> unit
-(** [set_normal spot x y z] makes (x, y, z), of length 1, its normal. *)
+(** [set_normal spot x y z] makes (x, y, z), of length 1, its normal, and the
+    one for shading. *)
+
+val set_shading_normal : t -> float -> float -> float -> unit
+(** [set_shading_normal spot x y z] makes (x, y, z), of length 1, the normal
+    for shading only. *)
 
 val turn_to : t -> Raw_ray.t -> unit
 (** [turn_to spot ray] turns the outward normal to the side from which [ray]
-    comes, and notes which that is. A normal at right angles to [ray] stays. *)
+    comes, and notes which that is. A normal at right angles to [ray] stays.
+    The normal for shading is turned with it, and is the same where it would
+    face away from [ray]. *)
 
 (** {1 Reading} *)
+
+val is_smooth : t -> bool
+(** [is_smooth spot] is whether its normal for shading is another than that of
+    the surface. *)
 
 val start : t -> Raw_ray.t -> unit
 (** [start spot ray] makes [ray] start off the surface, on the side of the
@@ -63,9 +79,11 @@ val start_behind : t -> Raw_ray.t -> unit
 
 val reflect : t -> Raw_ray.t -> unit
 (** [reflect spot ray] turns [ray] into the one that a mirror at [spot] makes
-    of it: without end, from {!start} along [d - 2 (d . n) n], for which the
-    side to which the normal [n] points makes no difference. Its length is 1
-    within rounding, however many times it is reflected. *)
+    of it: without end, from {!start} along [d - 2 (d . n) n], where [n] is the
+    normal for shading, and the side to which it points makes no difference. A
+    smooth mesh may send it through the surface: then it starts on the other
+    side. Its length is 1 within rounding, however many times it is reflected.
+*)
 
 val point : t -> Vec3.t
 (** [point spot] is the point. *)
@@ -75,3 +93,6 @@ val own : t -> Vec3.t
 
 val normal : t -> Direction.t
 (** [normal spot] is the normal. *)
+
+val shading : t -> Direction.t
+(** [shading spot] is the normal for shading. *)

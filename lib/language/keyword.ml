@@ -199,6 +199,12 @@ let shapes : t list =
         ("number", "the second edge of the quad, from its corner: three \
                     numbers, x y z") ]
       "a parallelogram";
+    row "mesh" MESH "MESH"
+      [ ("file name", "the name of a file in quotes after mesh, such as \
+                       \"bunny.ply\"");
+        ("surface", "smooth, or a surface: diffusive, reflective, luminous or \
+                     mixed") ]
+      "the triangles in a file: OBJ, PLY or STL";
   ]
 [@@ocamlformat "disable"]
 
@@ -252,6 +258,7 @@ let modifiers : t list =
     row "shadowless" SHADOWLESS "SHADOWLESS" [] "casts no shadow";
     row "unfading" UNFADING "UNFADING" []
       "a light that is as strong far away as near";
+    row "smooth" SMOOTH "SMOOTH" [] "after the file of a mesh: shaded as round";
   ]
 [@@ocamlformat "disable"]
 

@@ -13,16 +13,20 @@
 
 open Raylab_source
 
-type include_ = Span.t -> string -> Syntax.included
-(** The type for what reads a file that is included: its name, and where that
-    stands. *)
+type files = {
+  include_ : Span.t -> string -> Syntax.included;
+      (** reads a file that is included: its name, and where that stands *)
+  mesh : Span.t -> string -> Raylab_mesh_file.Model.t;
+      (** reads the file of a mesh, likewise *)
+}
+(** The type for what reads other files. *)
 
 type state
 (** The type for what was read before: names, blocks, brackets. *)
 
-val start : ?include_:include_ -> unit -> state
-(** [start ~include_ ()] is the state at the start of a text. By default every
-    file that is included is empty. *)
+val start : ?files:files -> unit -> state
+(** [start ~files ()] is the state at the start of a text. By default every
+    file that is included is empty, and every mesh a triangle. *)
 
 val token : state -> Lexing.lexbuf -> Parser.token
 (** [token state buffer] is the next token. It raises nothing, whatever the

@@ -6,11 +6,19 @@
 
 module Names = Set.Make (String)
 
-type after = Binder | Parameters | File_name | Other
-type include_ = Raylab_source.Span.t -> string -> Syntax.included
+type after = Binder | Parameters | Included_name | Mesh_name | Other
+
+type files = {
+  include_ : Raylab_source.Span.t -> string -> Syntax.included;
+  mesh : Raylab_source.Span.t -> string -> Raylab_mesh_file.Model.t;
+}
+
+let no_files =
+  let open Raylab_mesh_file in
+  { include_ = (fun _ _ -> Included.nothing); mesh = (fun _ _ -> Model.nothing) }
 
 type state = {
-  include_ : include_;
+  files : files;
   mutable blocks : Names.t list;  (* names of the blocks that are open *)
   mutable depth : int;  (* of the brackets that are open *)
   mutable after : after;
@@ -21,8 +29,8 @@ type state = {
   mutable taken : (string * int) list;
 }
 
-let start ?(include_ = fun _ _ -> Included.nothing) () =
-  { include_; blocks = [ Names.empty ]; depth = 0; after = Other;
+let start ?(files = no_files) () =
+  { files; blocks = [ Names.empty ]; depth = 0; after = Other;
     starts_parameter = false; after_else = false; operators = [];
     too_deep = None; taken = [] }
 
@@ -100,7 +108,8 @@ let structural state lexbuf (token : Parser.token) =
   state.after_else <- false;
   (match token with
   | LET -> state.after <- Binder
-  | INCLUDE -> state.after <- File_name
+  | INCLUDE -> state.after <- Included_name
+  | MESH -> state.after <- Mesh_name
   | FOR -> open_block state lexbuf; state.after <- Binder
   | IF -> if not after_else then open_block state lexbuf
   | GROUP | UNION | INTERSECTION | DIFFERENCE -> open_block state lexbuf
@@ -152,21 +161,25 @@ let call state lexbuf text =
   open_bracket state lexbuf;
   Parser.CALL text
 
-(* A text in quotes; where it names a file, the names of that are known from
-   here. *)
+(* A text in quotes; where it names a file that is included, the names of that
+   are known from here. *)
 let text state (lexbuf : Lexing.lexbuf) text =
-  if state.after = File_name then (
-    state.after <- Other;
-    let start = lexbuf.lex_start_p.pos_cnum
-    and stop = lexbuf.lex_curr_p.pos_cnum in
-    let included = state.include_ { start; stop } text in
-    add_names state (Names.of_list included.names);
-    Parser.FILE included)
-  else Parser.STRING text
+  let span =
+    { Raylab_source.Span.start = lexbuf.lex_start_p.pos_cnum;
+      stop = lexbuf.lex_curr_p.pos_cnum }
+  and after = state.after in
+  state.after <- Other;
+  match after with
+  | Included_name ->
+      let included = state.files.include_ span text in
+      add_names state (Names.of_list included.names);
+      Parser.FILE included
+  | Mesh_name -> Parser.MODEL (state.files.mesh span text)
+  | Binder | Parameters | Other -> Parser.STRING text
 
 let number (lexbuf : Lexing.lexbuf) =
   Parser.NUMBER
-    (Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
+    (Raylab_source.Decimal.of_bytes lexbuf.lex_buffer ~first:lexbuf.lex_start_pos
        ~stop:lexbuf.lex_curr_pos)
 
 (* {1 Words in brackets} *)

@@ -4,11 +4,15 @@ open Raylab_source
 
 type t = {
   sources : Sources.t;  (** all files that were read, the main one first *)
-  inclusions : (Span.t * Sources.file) list;
-      (** where a file is named, with the quotes, and which one that is *)
+  named : (Span.t * string) list;
+      (** where a file is named, with the quotes, and the path of it *)
   missing : string list;  (** paths of files that could not be read *)
   taken : Taken.t list;
       (** in the order of the files, and of the text in each *)
+  meshes : Raylab_geometry.Mesh.t list;
+      (** those that were read, none smooth *)
+  unused : Raylab_scene.Warning.t list;
+      (** what files of meshes have and raylab does not use *)
   syntax : (Syntax.t, Scene_error.t list) result;
 }
 (** The type for what was read. *)
@@ -22,6 +26,7 @@ val max_size : int
 
 val read : Access.t -> Sources.t -> t
 (** [read access sources] reads what the main file of [sources], its only one,
-    includes. A file is read once, however often it is included. What is wrong
-    is one error of syntax a file, and files that cannot be read, where they
-    are included. It raises nothing, whatever the bytes. *)
+    includes, and the meshes that it uses. A file is read once, however often
+    it is named. What is wrong is one error of syntax a file, and files that
+    cannot be read, where they are named. It raises nothing, whatever the
+    bytes. *)

@@ -41,6 +41,7 @@ let change written loc = modifier (Syntax.Change written) loc
 %token <string> WORD "<unknown word>"
 %token <string> NAME "name" CALL "name("
 %token <Syntax.included> FILE "\"file\""
+%token <Raylab_mesh_file.Model.t> MODEL "\"mesh\""
 %token <string> STRING "\"text\""
 %token <char> PART ".x"
 %token IM_WIDTH "imWidth" IM_HEIGHT "imHeight"
@@ -54,6 +55,7 @@ let change written loc = modifier (Syntax.Change written) loc
 %token OBJECTS "objects" GROUP "group"
 %token SPHERE "sphere" PLANE "plane" BOX "box" CYLINDER "cylinder" CONE "cone"
 %token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
+%token MESH "mesh" SMOOTH "smooth"
 %token UNION "union" INTERSECTION "intersection" DIFFERENCE "difference"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
 %token GLOSSY "glossy" REFRACTIVE "refractive" GLASS "glass"
@@ -259,6 +261,8 @@ shape:
   | "triangle" a = vector b = vector c = vector { Shapes.triangle a b c }
   | "quad" corner = vector edge = vector other = vector
       { Shapes.quad corner edge other }
+  | "mesh" model = MODEL { Shapes.mesh model ~is_smooth:false }
+  | "mesh" model = MODEL "smooth" { Shapes.mesh model ~is_smooth:true }
 
 group:
   | g = grouping items = items "end" { Syntax.Group (g, List.rev items) }

@@ -64,8 +64,8 @@ let syntax_error sources checkpoint state names token (start : Lexing.position)
            (Sources.quote sources span))
 
 (* Runs the slow parser over a text that the fast one refused. *)
-let explain_error sources include_ file =
-  let lexbuf = lexbuf file and words = Lexer.start ?include_ () in
+let explain_error sources files file =
+  let lexbuf = lexbuf file and words = Lexer.start ?files () in
   let rec run input checkpoint =
     match checkpoint with
     | Engine.InputNeeded _ ->
@@ -103,12 +103,12 @@ let too_deep sources (offset, message) =
 
 type parsed = { included : Syntax.included; taken : Taken.t list }
 
-let parse ?include_ sources file =
-  let words = Lexer.start ?include_ () in
+let parse ?files sources file =
+  let words = Lexer.start ?files () in
   let result =
     match Parser.scene (Lexer.token words) (lexbuf file) with
     | syntax -> Ok syntax
-    | exception Parser.Error -> explain_error sources include_ file
+    | exception Parser.Error -> explain_error sources files file
   in
   match Lexer.too_deep words with
   | Some found -> Error (too_deep sources found)

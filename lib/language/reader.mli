@@ -9,12 +9,12 @@ type parsed = {
 (** The type for what is read of a file. *)
 
 val parse :
-  ?include_:Lexer.include_ ->
+  ?files:Lexer.files ->
   Sources.t ->
   Sources.file ->
   (parsed, Scene_error.t) result
-(** [parse ~include_ sources file] is what [file], one of [sources], writes,
-    its numbers unchecked, or the first place where it is not in the language.
-    Files that it includes come from [include_], which may be called twice for
-    each. It takes time linear in the size of the text and raises nothing,
-    whatever the bytes. *)
+(** [parse ~files sources file] is what [file], one of [sources], writes, its
+    numbers unchecked, or the first place where it is not in the language.
+    Other files come from [files], which may be called twice for each. It takes
+    time linear in the size of the text and raises nothing, whatever the bytes.
+*)

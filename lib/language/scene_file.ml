@@ -10,14 +10,22 @@ let too_large file =
 
 type reading = {
   sources : Sources.t;
-  inclusions : (Span.t * Sources.file) list;
+  named : (Span.t * string) list;
   missing : string list;
+  meshes : Mesh.t list;
   scene : (Scene.t, Scene_error.t list) result;
-  taken : Warning.t list;
+  noted : Warning.t list;
 }
 
 let unread scene =
-  { sources = Sources.none; inclusions = []; missing = []; scene; taken = [] }
+  {
+    sources = Sources.none;
+    named = [];
+    missing = [];
+    meshes = [];
+    scene;
+    noted = [];
+  }
 
 (* A file that is not UTF-8, if there is one. *)
 let foreign sources =
@@ -42,11 +50,19 @@ let read_all ?time access sources =
   if Sources.size sources > max_size then
     unread (too_large (Sources.name sources 0))
   else
-    let { Loader.sources; inclusions; missing; taken; syntax } =
+    let { Loader.sources; named; missing; meshes; taken; unused; syntax } =
       try Loader.read access sources
       with Stack_overflow ->
         let syntax = Error [ too_deep sources ] in
-        { Loader.sources; inclusions = []; missing = []; taken = []; syntax }
+        {
+          Loader.sources;
+          named = [];
+          missing = [];
+          meshes = [];
+          taken = [];
+          unused = [];
+          syntax;
+        }
     in
     let scene =
       match Result.bind syntax (Evaluate.scene ?time sources) with
@@ -56,10 +72,11 @@ let read_all ?time access sources =
           Error (Option.value foreign ~default:errors)
       | exception Stack_overflow -> Error [ too_deep sources ]
     in
-    { sources; inclusions; missing; scene; taken = Taken.warnings taken }
+    let noted = Taken.warnings taken @ unused in
+    { sources; named; missing; meshes; scene; noted }
 
-let findings { scene; taken; _ } =
-  taken @ Result.fold ~ok:Scene.findings ~error:(fun _ -> []) scene
+let findings { scene; noted; _ } =
+  noted @ Result.fold ~ok:Scene.findings ~error:(fun _ -> []) scene
 
 let provenance { sources; _ } = Provenance.make (Sources.table sources)
 

@@ -29,12 +29,15 @@ type reading = {
   sources : Sources.t;
       (** all files that were read for it, the main one first; none if that
           could not be read *)
-  inclusions : (Span.t * Sources.file) list;
-      (** where a file is named that is included, with the quotes, and which
-          one that is *)
+  named : (Span.t * string) list;
+      (** where a file is named, with the quotes, and the path of it *)
   missing : string list;  (** paths of files that could not be read *)
+  meshes : Raylab_geometry.Mesh.t list;
+      (** those that were read, each once and none smooth *)
   scene : (Scene.t, Scene_error.t list) result;
-  taken : Warning.t list;  (** of names that take over a word of the language *)
+  noted : Warning.t list;
+      (** of names that take over a word of the language, and of what files of
+          meshes have and raylab does not use *)
 }
 (** The type for scenes and the files that they come from. *)
 

@@ -137,3 +137,7 @@ let quad corner edge other =
           direction "the second edge" other;
         ];
     }
+
+let mesh model ~is_smooth =
+  let mesh = Raylab_mesh_file.Model.mesh model ~is_smooth in
+  Written { make = Shape.Mesh mesh; parameters = [] }

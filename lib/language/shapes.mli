@@ -41,3 +41,6 @@ val triangle :
 
 val quad : Expression.t -> Expression.t -> Expression.t -> Shape.t Written.t
 (** [quad corner edge other] is a parallelogram. *)
+
+val mesh : Raylab_mesh_file.Model.t -> is_smooth:bool -> Shape.t Written.t
+(** [mesh model ~is_smooth] is the mesh of a file. *)

@@ -27,6 +27,7 @@ let rows =
     ("torus", "ring donut doughnut");
     ("disc", "disk circle");
     ("triangle", "tri polygon");
+    ("mesh", "model obj ply stl polymesh trimesh triangles polygons faceset");
     ("quad", "rectangle rect square parallelogram quadrangle polygon");
     ( "spherical",
       "point point-light lamp bulb light-bulb omni omnidirectional positional \
@@ -70,8 +71,8 @@ let rows =
        max-recursion trace-depth trace-level max-trace-level bounces \
        max-bounces reflections" );
     ( "samples",
-      "sample antialias antialiasing anti-aliasing aa smooth smoothing \
-       supersampling oversampling subpixels spp samples-per-pixel" );
+      "sample antialias antialiasing anti-aliasing aa smoothing supersampling \
+       oversampling subpixels spp samples-per-pixel" );
     ("exposure", "expose brightness bright gain iso ev");
     ("srgb", "gamma gamma-correction encoding color-space colour-space");
     ( "aperture",

@@ -57,6 +57,15 @@ let flat shape =
     advice = "a flat shape cannot cut or be cut: take a thin box or cylinder";
   }
 
+let open_ opening =
+  {
+    what = "this mesh";
+    why = "is not closed: " ^ Raylab_source.Printable.text opening;
+    advice =
+      "a mesh has an inside if each edge, by where it is, has exactly two \
+       faces";
+  }
+
 let casts_none =
   {
     what = "what is shadowless";
@@ -67,7 +76,8 @@ let casts_none =
 let unfit_object (o : Object.t) =
   if o.is_shadowless then Some casts_none
   else if Shape.is_solid o.shape then None
-  else Some (flat o.shape)
+  else
+    Some (Option.fold ~none:(flat o.shape) ~some:open_ (Shape.opening o.shape))
 
 let unfit = function
   | Leaf o -> unfit_object o

@@ -17,19 +17,27 @@ let create () =
 let[@inline] is_within_squares squared (spot : Spot.t) =
   squared > 0. && squared < Offset.farthest && spot.offset < 0x1p500
 
+(* Both the surface and its normal for shading must face along the way (x, y,
+   z), which is [length] long; the cosine is that of the latter, or of the
+   surface if that alone turns away. *)
+let[@inline] face t (spot : Spot.t) x y z ~length =
+  let shaded =
+    (spot.shading_x *. x) +. (spot.shading_y *. y) +. (spot.shading_z *. z)
+  and flat = (spot.nx *. x) +. (spot.ny *. y) +. (spot.nz *. z) in
+  let cosine = (if flat > 0. then shaded else flat) /. length in
+  t.cosine <- cosine;
+  flat > 0. && cosine > 0.
+
 (* From the point (x, y, z). *)
 let[@inline] meet_point { Light.is_unfading; _ } t (spot : Spot.t) x y z =
   t.x <- x;
   t.y <- y;
   t.z <- z;
   let wx = x -. spot.x and wy = y -. spot.y and wz = z -. spot.z in
-  let facing = (spot.nx *. wx) +. (spot.ny *. wy) +. (spot.nz *. wz)
-  and squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
+  let squared = (wx *. wx) +. (wy *. wy) +. (wz *. wz) in
   if is_within_squares squared spot then (
-    let cosine = facing /. sqrt squared in
-    t.cosine <- cosine;
     t.falloff <- (if is_unfading then 1. else Saturate.limit (1. /. squared));
-    cosine > 0.)
+    face t spot wx wy wz ~length:(sqrt squared))
   else (
     t.cosine <- 0.;
     t.falloff <- 0.;
@@ -60,11 +68,9 @@ let[@inline] meet (light : Light.t) k ray (spot : Spot.t) t =
   match light.source with
   | Directional along ->
       let { Vec3.x; y; z } = (along :> Vec3.t) in
-      let cosine = (spot.nx *. -.x) +. (spot.ny *. -.y) +. (spot.nz *. -.z) in
-      t.cosine <- cosine;
       t.falloff <- 1.;
       t.cone <- 1.;
-      cosine > 0.
+      face t spot (-.x) (-.y) (-.z) ~length:1.
   | Spherical { x; y; z } ->
       t.cone <- 1.;
       meet_point light t spot x y z

@@ -138,6 +138,8 @@ let pp_parameter ppf (name, parameter) =
   | Number x -> Format.fprintf ppf ", %s %a" name Number.pp x
   | Triple (x, y, z) ->
       Format.fprintf ppf ", %s %a" name Vec3.pp (Vec3.make x y z)
+  | (Text _ | Word _) as other ->
+      Format.fprintf ppf ", %s %a" name (Parameter.pp_with Number.pp) other
 
 let pp ppf light =
   Format.fprintf ppf "%s light, intensity %a, %a" (name light) Number.pp

@@ -38,7 +38,8 @@ let[@inline] add_each (light : Light.t) (incidence : Incidence.t) c
 
 (* R . w / |w| for the way w = (x, y, z) *)
 let[@inline] mirrored_cosine (spot : Spot.t) (ray : Raw_ray.t) x y z =
-  let { Spot.nx; ny; nz; _ } = spot and { Raw_ray.dx; dy; dz; _ } = ray in
+  let { Spot.shading_x = nx; shading_y = ny; shading_z = nz; _ } = spot
+  and { Raw_ray.dx; dy; dz; _ } = ray in
   let along = (dx *. nx) +. (dy *. ny) +. (dz *. nz)
   and facing = (nx *. x) +. (ny *. y) +. (nz *. z)
   and straight = (dx *. x) +. (dy *. y) +. (dz *. z) in

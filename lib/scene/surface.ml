@@ -193,7 +193,7 @@ let rec add_colors found = function
   | simple ->
       let add found : _ * Parameter.t -> _ = function
         | _, Triple (r, g, b) -> Color.make r g b :: found
-        | _, Number _ -> found
+        | _, (Number _ | Text _ | Word _) -> found
       in
       List.fold_left add found (parameters simple)
 
@@ -201,9 +201,9 @@ let colors surface = List.rev (add_colors [] surface)
 
 let pp_weight pp_number ppf w =
   match weight w with
-  | Number x -> pp_number ppf x
   | Triple (r, g, b) ->
       Format.fprintf ppf "[%a, %a, %a]" pp_number r pp_number g pp_number b
+  | number -> Parameter.pp_with pp_number ppf number
 
 (* Without "%a", which takes so much of the stack that the deepest mixes do not
    fit on that of JavaScript. *)

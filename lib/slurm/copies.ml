@@ -24,7 +24,7 @@ let included = "included"
 let belongs_to_job name =
   List.mem name (included :: Job.scene :: (Job.folders @ Job.names))
 
-let own_name ~main ~taken number { Sources.path; _ } =
+let own_name ~main ~taken number path =
   let folder = Filename.dirname main in
   let relative = Option.value ~default:path (Access.below folder path) in
   match steps relative with
@@ -36,17 +36,17 @@ let own_name ~main ~taken number { Sources.path; _ } =
       String.concat "/"
         [ included; string_of_int number; Filename.basename path ]
 
-(* [(base, name)] of each file *)
+(* [(path, name)] of each file *)
 let names sources =
-  match Sources.files sources with
+  match Sources.paths sources with
   | [] -> []
   | main :: others ->
-      let name (number, named) file =
+      let name (number, named) path =
         let taken = List.map snd named in
-        let name = own_name ~main:main.path ~taken number file in
-        (number + 1, (file.Sources.base, name) :: named)
+        let name = own_name ~main ~taken number path in
+        (number + 1, (path, name) :: named)
       in
-      snd (List.fold_left name (1, [ (main.base, Job.scene) ]) others)
+      snd (List.fold_left name (1, [ (main, Job.scene) ]) others)
 
 (* {1 Texts} *)
 
@@ -66,14 +66,14 @@ let reference ~by ~name written =
   if Filename.is_relative written && steps path = steps name then written
   else relative ~from:(folder by) (String.split_on_char '/' name)
 
-let copy names inclusions { Sources.base; text; _ } =
-  let by = List.assoc base names in
+let copy names named { Sources.path; base; text } =
+  let by = List.assoc path names in
   let inside ({ Span.start; _ }, _) =
     base <= start && start <= base + String.length text
   in
   let by_start (a, _) (b, _) = Int.compare a.Span.start b.Span.start in
-  let places = List.sort by_start (List.filter inside inclusions) in
-  let piece (at, pieces) ({ Span.start; stop }, { Sources.base = other; _ }) =
+  let places = List.sort by_start (List.filter inside named) in
+  let piece (at, pieces) ({ Span.start; stop }, other) =
     let start = start - base + 1 and stop = stop - base - 1 in
     let written = String.sub text start (stop - start) in
     let name = reference ~by ~name:(List.assoc other names) written in
@@ -83,5 +83,10 @@ let copy names inclusions { Sources.base; text; _ } =
   let rest = String.sub text at (String.length text - at) in
   (by, String.concat "" (List.rev (rest :: pieces)))
 
-let make sources inclusions =
-  List.map (copy (names sources) inclusions) (Sources.files sources)
+let make sources named =
+  let names = names sources in
+  let attached ({ path; bytes } : Sources.attached) =
+    (List.assoc path names, bytes)
+  in
+  List.map (copy names named) (Sources.files sources)
+  @ List.map attached (Sources.attached sources)

@@ -1,10 +1,16 @@
+type attached = { path : string; bytes : string }
 type file = { path : string; base : int; text : string }
-type t = { table : Files.t; files : file array }
 
-let none = { table = Files.none; files = [||] }
+type t = {
+  table : Files.t;
+  files : file array;
+  attached : attached list; (* the last one first *)
+}
+
+let none = { table = Files.none; files = [||]; attached = [] }
 let byte_order_mark = "\xef\xbb\xbf"
 
-let add ?path ~name text { table; files } =
+let add ?path ~name text { table; files; attached } =
   let text =
     if String.starts_with ~prefix:byte_order_mark text then
       let n = String.length byte_order_mark in
@@ -17,18 +23,30 @@ let add ?path ~name text { table; files } =
   {
     table = Files.add ~name (Lines.index text) table;
     files = Array.append files [| { path; base; text } |];
+    attached;
   }
+
+let attach ~path bytes sources =
+  { sources with attached = { path; bytes } :: sources.attached }
 
 let make ?path ~name text = add ?path ~name text none
 let files sources = Array.to_list sources.files
+let attached sources = List.rev sources.attached
 let table sources = sources.table
 
-let size { files; _ } =
-  let add sum { text; _ } = sum + String.length text in
-  Array.fold_left add 0 files
+let size { files; attached; _ } =
+  let add sum { text; _ } = sum + String.length text
+  and attach sum { bytes; _ } = sum + String.length bytes in
+  List.fold_left attach (Array.fold_left add 0 files) attached
+
+let paths sources =
+  List.map (fun { path; _ } -> path) (files sources)
+  @ List.map (fun ({ path; _ } : attached) -> path) (attached sources)
 
 let digest sources =
-  match List.map (fun { text; _ } -> Digest.string text) (files sources) with
+  let texts = List.map (fun { text; _ } -> text) (files sources)
+  and others = List.map (fun { bytes; _ } -> bytes) (attached sources) in
+  match List.map Digest.string (texts @ others) with
   | [ digest ] -> digest
   | digests -> Digest.string (String.concat "" digests)
 

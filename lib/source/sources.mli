@@ -6,12 +6,19 @@
 type t
 (** The type for texts of files. *)
 
+type attached = private {
+  path : string;  (** by which it was opened *)
+  bytes : string;  (** all of it *)
+}
+(** A file that the scene uses and that is no text of the language, such as a
+    mesh. It has no place in the space of offsets. *)
+
 type file = private {
   path : string;  (** by which it was opened *)
   base : int;  (** where it starts in the space of offsets *)
   text : string;  (** all its bytes *)
 }
-(** A file. *)
+(** A text. *)
 
 val none : t
 (** [none] is no files. *)
@@ -24,19 +31,27 @@ val add : ?path:string -> name:string -> string -> t -> t
 val make : ?path:string -> name:string -> string -> t
 (** [make ~path ~name text] is {!add} to {!none}. *)
 
+val attach : path:string -> string -> t -> t
+(** [attach ~path bytes sources] is [sources] and such a file. *)
+
 val files : t -> file list
-(** [files sources] is all of them, in their order: what is told apart, copied
-    or watched. *)
+(** [files sources] is all texts, in their order. *)
+
+val attached : t -> attached list
+(** [attached sources] is what was attached to them, in its order. *)
+
+val paths : t -> string list
+(** [paths sources] is the paths of both: what is watched. *)
 
 val table : t -> Files.t
 (** [table sources] is their names and lines. *)
 
 val size : t -> int
-(** [size sources] is how many bytes the texts have together. *)
+(** [size sources] is how many bytes all files have together. *)
 
 val digest : t -> string
-(** [digest sources] is the MD5 of the text of a single file, and of several
-    that of their digests, one after another. *)
+(** [digest sources] is the MD5 of the text of a single file, and of several,
+    attached ones last, that of their digests, one after another. *)
 
 (** {1 Pieces of them}
 

@@ -82,6 +82,18 @@ let triangle a b c surface = Object.make (Shape.triangle a b c) surface
 let quad corner edge other surface =
   Object.make (Shape.quad ~corner ~edge ~other) surface
 
+let mesh ?(smooth = false) path surface =
+  let open Raylab_mesh_file in
+  match Mesh_file.format_of_name path with
+  | None -> failwith (path ^ " is no name of a mesh: .obj, .ply or .stl")
+  | Some format -> (
+      let bytes = In_channel.with_open_bin path In_channel.input_all in
+      match Mesh_file.read format bytes with
+      | Error fault -> failwith (path ^ ": " ^ Fault.to_string fault)
+      | Ok (facets, _) ->
+          let model = Model.make ~name:path facets in
+          Object.make (Mesh (Model.mesh model ~is_smooth:smooth)) surface)
+
 let changed modifier = Object.transformed (Change.of_modifiers [ modifier ])
 let scaled k = changed (Scaled k)
 let stretched factors = changed (Stretched factors)

@@ -146,6 +146,13 @@ val quad : Vec3.t -> Vec3.t -> Vec3.t -> Surface.t -> Object.t
 (** [quad corner edge other surface] is the parallelogram with a corner and the
     two edges that begin there. *)
 
+val mesh : ?smooth:bool -> string -> Surface.t -> Object.t
+(** [mesh ~smooth path surface] is what the file at [path] has, smooth if
+    [smooth], by default not. It is in memory once if it is placed many times,
+    not if it is read many times.
+
+    Raises [Failure] if it is broken, [Sys_error] if it cannot be read. *)
+
 (** {1 Modifiers}
 
     Each takes the object last: [sphere c r s |> stretched (vec 2. 1. 1.)]. *)

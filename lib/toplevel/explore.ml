@@ -28,8 +28,8 @@ let building =
   {|
 Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
 spot, area, sphere, plane, box, cylinder, cone, torus, disc, triangle, quad,
-diffusive, reflective, luminous, glossy, refractive, glass, mixed and tinted,
-as in a scene file; put together by union, intersection and difference;
+mesh, diffusive, reflective, luminous, glossy, refractive, glass, mixed and
+tinted, as in a scene file; put together by union, intersection and difference;
 unfading is for lights; random, noise and turbulence are its numbers:
 
 use (Scene.make camera

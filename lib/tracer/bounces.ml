@@ -102,8 +102,12 @@ let add_refraction t k ~mirror parts at spot ray =
   done;
   numbers.((k * size) + fresnel) <- f;
   numbers.((k * size) + at_cosine) <- refraction.cosine;
-  Spot.start_behind spot t.ray;
-  Raw_ray.set_direction t.ray refraction.dx refraction.dy refraction.dz;
+  let { Refraction.dx; dy; dz; _ } = refraction in
+  let along = (spot.nx *. dx) +. (spot.ny *. dy) +. (spot.nz *. dz) in
+  (* a smooth mesh may bend it back *)
+  if Spot.is_smooth spot && along > 0. then Spot.start spot t.ray
+  else Spot.start_behind spot t.ray;
+  Raw_ray.set_direction t.ray dx dy dz;
   store t k t.ray
 
 let[@inline] largest t k =

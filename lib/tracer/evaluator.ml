@@ -26,7 +26,8 @@ let tell_background t left =
 let hit t =
   let { Meeting.number; part; _ } = t.meeting in
   let primitive = Prepared.primitive t.prepared ~number ~part in
-  Hit.of_registers ~primitive t.meeting t.spot t.ray
+  let part = Prepared.own_part t.prepared ~number ~part in
+  Hit.of_registers ~primitive ~part t.meeting t.spot t.ray
 
 let tell_hit t =
   match t.observe with None -> () | Some observe -> observe (Met (hit t))

@@ -109,6 +109,9 @@ let primitive t ~number ~part =
   | Solid s -> Some (Solid.member_of s ~part + 1)
   | _ -> None
 
+let own_part t ~number ~part =
+  match t.shapes.(number) with Solid s -> Solid.own_part s ~part | _ -> part
+
 let surface t ~number ~part =
   (Object.primitive t.objects.(number) (primitive t ~number ~part)).surface
 

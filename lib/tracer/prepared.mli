@@ -65,6 +65,10 @@ val primitive : t -> number:int -> part:int -> int option
 (** [primitive t ~number ~part] is which primitive, from 1, [part] of the
     object belongs to; [None] if it is no solid. *)
 
+val own_part : t -> number:int -> part:int -> int
+(** [own_part t ~number ~part] is which part of that primitive it is; [part]
+    itself if the object is no solid. *)
+
 val surface : t -> number:int -> part:int -> Surface.t
 (** [surface t ~number ~part] is the surface of that part. *)
 

@@ -25,7 +25,9 @@ let lobes t ~number ~part =
 
 (* The cosine of the passing ray and the normal that faces it. *)
 let[@inline] cosine t =
-  let { Spot.nx; ny; nz; _ } = t.shadow_spot and ray = t.passing in
+  let { Spot.shading_x = nx; shading_y = ny; shading_z = nz; _ } =
+    t.shadow_spot
+  and ray = t.passing in
   let c = -.((nx *. ray.dx) +. (ny *. ray.dy) +. (nz *. ray.dz)) in
   if c > 1. then 1. else if c > 0. then c else 0.
 

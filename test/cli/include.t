@@ -125,10 +125,10 @@ What is no file of text is not read, and nothing waits for it.
   $ truncate -s 3G house/large
   $ scene 'include "pipe" include "parts" include "large" include "none" include ""'
   $ raylab check house/x.scene
-  house/x.scene:2:9-14: error: 'pipe' cannot be included: it is a pipe, not a file of text
+  house/x.scene:2:9-14: error: 'pipe' cannot be included: it is a pipe, not a file
       2 | include "pipe" include "parts" include "large" include "none" include ""
         |         ^^^^^^
-  house/x.scene:2:24-30: error: 'parts' cannot be included: it is a folder, not a file of text
+  house/x.scene:2:24-30: error: 'parts' cannot be included: it is a folder, not a file
       2 | include "pipe" include "parts" include "large" include "none" include ""
         |                        ^^^^^^^
   house/x.scene:2:40-46: error: 'large' cannot be included: it has more than the 2147483520 bytes that are left for it
@@ -143,7 +143,7 @@ What is no file of text is not read, and nothing waits for it.
   [1]
   $ scene 'include "/dev/zero"'
   $ raylab check house/x.scene --allow /dev
-  house/x.scene:2:9-19: error: '/dev/zero' cannot be included: it is a device, not a file of text
+  house/x.scene:2:9-19: error: '/dev/zero' cannot be included: it is a device, not a file
       2 | include "/dev/zero"
         |         ^^^^^^^^^^^
   [1]

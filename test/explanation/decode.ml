@@ -214,9 +214,12 @@ and term json : Explain.term =
 and hit json : Explain.surface_hit =
   let number, object_, place = object_ (member "object" json) in
   let primitive_names, primitive = primitive json object_ in
+  let is_smooth = has "smoothed" json in
   let names =
     ("object" :: primitive_names)
-    @ [ "t"; "point"; "normal"; "outside"; "part"; "own_point" ]
+    @ [ "t"; "point"; "normal" ]
+    @ (if is_smooth then [ "smoothed" ] else [])
+    @ [ "outside"; "part"; "own_point" ]
     @ [ "offset"; "emission"; "albedo"; "mirror" ]
     @ List.filter (fun name -> has name json) [ "highlights"; "refractions" ]
     @ [ "lights" ]
@@ -235,6 +238,8 @@ and hit json : Explain.surface_hit =
         point = vector (get "point");
         own_point;
         normal = direction (get "normal");
+        shading =
+          (if is_smooth then Some (direction (get "smoothed")) else None);
         outside = bool (get "outside");
         offset = float (get "offset");
       };

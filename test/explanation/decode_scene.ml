@@ -62,25 +62,25 @@ let kind json = text (member "kind" json)
 (* {1 Scenes} *)
 
 (* [written json] is the words of the scene language for a shape or surface: its
-   kind, and its parts in their order. *)
+   kind, and its parts in their order. The name of a file is in quotes. *)
 let rec written : Yojson.Safe.t -> string list = function
-  | `Assoc members ->
-      let part = function
-        | "weight", (`List _ as color) ->
-            [ Printf.sprintf "[%s]" (String.concat ", " (written color)) ]
-        | _, part -> written part
-      in
-      List.concat_map part members
+  | `Assoc members -> List.concat_map written_member members
   | `List items -> List.concat_map written items
   | `String word -> [ word ]
   | number -> [ Number.to_exact_string (float number) ]
+
+and written_member = function
+  | "file", name -> [ Printf.sprintf "%S" (text name) ]
+  | "weight", (`List _ as color) ->
+      [ Printf.sprintf "[%s]" (String.concat ", " (written color)) ]
+  | _, part -> written part
 
 let read words =
   let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
   let source =
     Sources.make ~name:"JSON" (String.concat " " (header :: words))
   in
-  match Scene_file.parse source with
+  match Scene_file.parse ~access:Test_support.Meshes.access source with
   | Ok { objects = [ o ]; _ } -> o
   | _ -> wrong (String.concat " " words)
 

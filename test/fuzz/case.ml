@@ -127,13 +127,21 @@ let modifier number random =
       Printf.sprintf "rotated %s %s" (direction number random) (number random)
   | _ -> "translated " ^ vector number random
 
+(* Those that are in memory, and one that is not. *)
+let meshes =
+  [|
+    {|mesh "cube.obj"|}; {|mesh "tetrahedron.obj" smooth|};
+    {|mesh "roof.obj"|}; {|mesh "roof.obj" smooth|}; {|mesh "none.ply"|};
+  |]
+[@@ocamlformat "disable"]
+
 let object_ number random =
   let vector _ = vector number random
   and direction _ = direction number random
   and positive _ = positive number random
   and at_least_0 _ = at_least_0 number random in
   let word, parameters =
-    match up_to random 8 with
+    match up_to random 9 with
     | 0 -> ("sphere", [ vector; positive ])
     | 1 -> ("plane", [ vector; direction ])
     | 2 -> ("box", [ vector; vector ])
@@ -142,6 +150,7 @@ let object_ number random =
     | 5 -> ("torus", [ vector; direction; positive; positive ])
     | 6 -> ("disc", [ vector; direction; positive ])
     | 7 -> ("triangle", [ vector; vector; vector ])
+    | 8 -> (choose random meshes, [])
     | _ -> ("quad", [ vector; direction; direction ])
   in
   let modifiers =

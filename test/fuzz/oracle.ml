@@ -3,7 +3,8 @@ open Raylab_language
 open Raylab_tracer
 
 let parse text =
-  Scene_file.parse (Raylab_source.Sources.make ~name:"fuzz" text)
+  Scene_file.parse ~access:Test_files.Mesh_texts.access
+    (Raylab_source.Sources.make ~name:"fuzz" text)
 
 let printed pp value = Format.asprintf "%a" pp value
 

@@ -14,9 +14,9 @@ let shapes = [| ball 0; floor; ball 2; ball 3; floor; ball 5 |]
 let places leaves = List.init (Bvh_leaves.count leaves) Fun.id
 
 (* Whatever the order, everything that is told of a place is of its shape. *)
-let check_places what leaves =
-  let numbers = Bvh_leaves.numbers leaves
-  and spheres = Bvh_leaves.spheres leaves in
+let check_places what all leaves =
+  let numbers = Bvh_leaves.numbers leaves in
+  let spheres = Shape_leaves.spheres all numbers in
   List.iter
     (fun place ->
       let x = float_of_int numbers.(place) in
@@ -37,21 +37,21 @@ let check_places what leaves =
     (places leaves)
 
 let test_of_shapes () =
-  let leaves = Bvh_leaves.of_shapes shapes in
+  let leaves = Shape_leaves.of_shapes shapes in
   Alcotest.(check (list int))
     "those that have a box" [ 0; 2; 3; 5 ]
     (Array.to_list (Bvh_leaves.numbers leaves));
-  check_places "as they come" leaves;
+  check_places "as they come" shapes leaves;
   Alcotest.(check int)
     "none" 0
-    (Bvh_leaves.count (Bvh_leaves.of_shapes [| floor; floor |]));
+    (Bvh_leaves.count (Shape_leaves.of_shapes [| floor; floor |]));
   Alcotest.(check int)
     "no rows" 0
-    (Array.length (Bvh_leaves.spheres (Bvh_leaves.of_shapes [| floor |])))
+    (Array.length (Shape_leaves.spheres [| floor |] [||]))
 
 (* Of places 1 to 3 those with numbers 3 and 5 come first; place 0 stays. *)
 let test_partition () =
-  let leaves = Bvh_leaves.of_shapes shapes in
+  let leaves = Shape_leaves.of_shapes shapes in
   let number place = (Bvh_leaves.numbers leaves).(place) in
   let middle =
     Bvh_leaves.partition leaves (fun place -> number place >= 3) 1 4
@@ -62,7 +62,7 @@ let test_partition () =
     "in front" [ 3; 5 ]
     (List.sort compare [ number 1; number 2 ]);
   Alcotest.(check int) "behind" 2 (number 3);
-  check_places "parted" leaves;
+  check_places "parted" shapes leaves;
   let same what expected goes_first =
     Alcotest.(check int)
       what expected
@@ -77,7 +77,7 @@ let any_partition =
     (fun wanted ->
       let wanted = Array.of_list wanted in
       let count = Array.length wanted in
-      let leaves = Bvh_leaves.of_shapes (Array.init count ball) in
+      let leaves = Shape_leaves.of_shapes (Array.init count ball) in
       let numbers = Bvh_leaves.numbers leaves in
       let is_wanted place = wanted.(numbers.(place)) in
       let middle = Bvh_leaves.partition leaves is_wanted 0 count in
@@ -87,7 +87,7 @@ let any_partition =
       && List.sort compare (Array.to_list numbers) = List.init count Fun.id)
 
 let test_one_kind () =
-  let leaves = Bvh_leaves.of_shapes shapes in
+  let leaves = Shape_leaves.of_shapes shapes in
   Alcotest.(check bool) "spheres" true (Bvh_leaves.one_kind leaves 0 4);
   Alcotest.(check bool) "one sphere" true (Bvh_leaves.one_kind leaves 2 3)
 

@@ -27,4 +27,5 @@ let () =
       Test_bvh.suite;
       Test_fan.suite;
       Test_grid.suite;
+      Test_mesh.suite;
     ]

@@ -162,6 +162,7 @@ let rec holds_point shape point =
       let height, across = from_axis centre axis point in
       Float.hypot (across -. ring) height < tube
   | Disc _ | Triangle _ | Quad _ -> false
+  | Mesh m -> Mesh.depth m point > 0.
   | Placed p -> holds_point p.own (Affine.point p.back point)
   | Solid s -> tree_holds s.members point s.tree
 

@@ -60,6 +60,7 @@ A project of somebody else's renders with the libraries. The core needs little.
   raylab.expression
   raylab.geometry
   raylab.language
+  raylab.mesh_file
   raylab.parallel
   raylab.scene
   raylab.source

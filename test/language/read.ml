@@ -2,7 +2,8 @@ open Raylab_language
 open Test_support
 
 let result text =
-  Scene_file.parse (Raylab_source.Sources.make ~name:"test.scene" text)
+  Scene_file.parse ~access:Test_support.Meshes.access
+    (Raylab_source.Sources.make ~name:"test.scene" text)
 
 let show_errors errors =
   String.concat "\n" (List.map (Property.show Scene_error.pp) errors)

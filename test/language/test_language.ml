@@ -1,7 +1,6 @@
 let () =
   Alcotest.run "language"
     [
-      Test_decimal.suite;
       Test_lexer.suite;
       Test_keyword.suite;
       Test_suggestion.suite;
@@ -23,6 +22,7 @@ let () =
       Test_expectation.suite;
       Test_second_file.suite;
       Test_include.suite;
+      Test_mesh.suite;
       Test_load.suite;
       Test_round_trip.suite;
       Test_hostile.suite;

@@ -148,6 +148,26 @@ let quad corners =
     (String.concat "," (List.map vector corners))
     (vector (List.hd corners))
 
+(* A smooth triangle of POV-Ray has a normal at each corner. *)
+let mesh mesh =
+  let { Facets.points; normals; corners; corner_normals; _ } =
+    Mesh.facets mesh
+  in
+  let at numbers k =
+    triple numbers.(3 * k) numbers.((3 * k) + 1) numbers.((3 * k) + 2)
+  in
+  let corner k =
+    let point = at points corners.(k) in
+    if Mesh.is_smooth mesh then point ^ "," ^ at normals corner_normals.(k)
+    else point
+  and word = if Mesh.is_smooth mesh then "smooth_triangle" else "triangle" in
+  let triangle t =
+    Printf.sprintf "%s{%s}" word
+      (String.concat "," (List.init 3 (fun k -> corner ((3 * t) + k))))
+  in
+  let all = List.init (Array.length corners / 3) triangle in
+  Printf.sprintf "mesh{%s inside_vector<0.2,0.5,0.7>" (String.concat "\n" all)
+
 (* Without the last bracket: the surface follows. *)
 let rec shape : Shape.t -> string = function
   | Sphere sphere ->
@@ -175,6 +195,7 @@ let rec shape : Shape.t -> string = function
   | Triangle { a; b; c; _ } ->
       Printf.sprintf "triangle{%s,%s,%s" (vector a) (vector b) (vector c)
   | Quad q -> quad (Quad.corners q)
+  | Mesh m -> mesh m
   | Placed { own; out; _ } -> shape own ^ matrix out
   | Solid _ -> invalid_arg "POV-Ray: a solid without surfaces"
 

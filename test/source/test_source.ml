@@ -6,4 +6,5 @@ let () =
       Test_sources.suite;
       Test_printable.suite;
       Test_character.suite;
+      Test_decimal.suite;
     ]

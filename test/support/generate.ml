@@ -119,6 +119,8 @@ let plane number =
     (fun point normal -> Shape.plane ~point ~normal:(along normal))
     (vec3 number) (direction number)
 
+let mesh meshes = map (fun mesh -> Shape.Mesh mesh) (oneofl meshes)
+
 let solid number =
   oneof
     [ sphere number; box number; cylinder number; cone number; torus number ]
@@ -131,6 +133,7 @@ let simple_shape number =
       (1, disc number);
       (1, triangle number);
       (1, quad number);
+      (1, mesh Meshes.all);
     ]
 
 let changed_shape number =
@@ -156,10 +159,10 @@ let solid_tree member =
   at_depth depth
 
 let solid_shape number =
-  let ball = Shape.sphere ~centre:(Vec3.make 0. 0. 2.) ~radius:2. in
-  map
-    (fun shape -> if Shape.is_solid shape then shape else ball)
-    (changed_shape number)
+  let or_other shape =
+    if Shape.is_solid shape then pure shape else mesh Meshes.solid
+  in
+  changed_shape number >>= or_other
 
 let shape number =
   frequency

@@ -38,7 +38,8 @@ val change : float Gen.t -> Change.t Gen.t
 
 val simple_shape : float Gen.t -> Shape.t Gen.t
 (** As it is written, without a change. What numbers do not make, such as a
-    triangle of no width, is the ball of radius 1. *)
+    triangle of no width, is the ball of radius 1. Meshes are those of
+    {!Meshes.all}. *)
 
 val changed_shape : float Gen.t -> Shape.t Gen.t
 (** Some of them changed. *)

@@ -140,8 +140,8 @@ Words
   
   Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
   spot, area, sphere, plane, box, cylinder, cone, torus, disc, triangle, quad,
-  diffusive, reflective, luminous, glossy, refractive, glass, mixed and tinted,
-  as in a scene file; put together by union, intersection and difference;
+  mesh, diffusive, reflective, luminous, glossy, refractive, glass, mixed and
+  tinted, as in a scene file; put together by union, intersection and difference;
   unfading is for lights; random, noise and turbulence are its numbers:
   
   use (Scene.make camera
@@ -307,6 +307,32 @@ program rendered it or the prompt itself.
   wrote t.bmp
   - : unit = ()
   $ cmp s.bmp r.bmp && cmp t.bmp r.bmp
+
+A mesh is in its file, wherever the picture is made.
+
+  $ mkdir -p meshes && printf 'v -1 -1 0\nv 0 1 0\nv 1 -1 0\nf 1 2 3\n' > meshes/a.obj
+  $ say 'mesh "meshes/a.obj" (diffusive red)'
+  - : Object.t = mesh "meshes/a.obj", diffusive 1 0 0
+  $ say 'mesh "three.scene" reflective'
+  Exception: Failure "three.scene is no name of a mesh: .obj, .ply or .stl".
+  $ (cat three.scene; echo 'mesh "meshes/a.obj" smooth diffusive red') > mesh.scene
+  $ raylab render -q mesh.scene -o mesh.bmp
+  $ echo 'save "again.bmp"' | raylab repl mesh.scene
+  wrote again.bmp
+  - : unit = ()
+  $ cmp mesh.bmp again.bmp
+  $ cat > more.ml <<EOF
+  > let again = translated (vec 1. 0. 0.) (mesh ~smooth:true "meshes/a.obj" reflective)
+  > let () =
+  >   let s = scene () in
+  >   use (Scene.with_objects (s.objects @ [ again ]) s);
+  >   save "more.bmp"
+  > EOF
+  $ raylab repl mesh.scene more.ml
+  wrote more.bmp
+  $ echo 'mesh "meshes/a.obj" smooth reflective translated 1 0 0' >> mesh.scene
+  $ raylab render -q mesh.scene -o mesh.bmp
+  $ cmp mesh.bmp more.bmp
 
 Names are told as they can be printed:
 

@@ -176,9 +176,20 @@ shell.
   $ cat > loop.bash <<'EOF'
   > for try in 1 2; do eval "raylab repl $1"; echo 'the loop goes on'; done
   > EOF
+A busy machine may lose the first.
+
+  $ press_until_gone () {
+  >   for _ in $(seq 60); do
+  >     printf '\003'
+  >     for _ in $(seq 50); do
+  >       if grep -q 'Interrupted' typescript; then return; fi
+  >       sleep 0.1
+  >     done
+  >   done
+  > }
   $ loop () {
   >   rm -f typescript
-  >   { wait_until grep -q 'begun' typescript; printf '\003'; } 2> /dev/null |
+  >   { wait_until grep -q 'begun' typescript; press_until_gone; } 2> /dev/null |
   >     env --default-signal=INT \
   >     script -q -f -e -c "bash loop.bash '$1'" typescript > /dev/null
   >   echo "[$?]"

@@ -157,6 +157,37 @@ let in_plane corner e1 e2 p =
   let n = Vec3.cross e1 e2 and p = p - corner in
   (dot (Vec3.cross p e2) n /. dot n n, dot (Vec3.cross e1 p) n /. dot n n)
 
+(* The three of each triangle, from one array by another. *)
+let triples (numbers : float array) (indexes : int array) =
+  let vector k =
+    let at axis = numbers.(Int.add (Int.mul 3 k) axis) in
+    Vec3.make (at 0) (at 1) (at 2)
+  in
+  List.init
+    (Array.length indexes / 3)
+    (fun t ->
+      let corner k = vector indexes.(Int.add (Int.mul 3 t) k) in
+      (corner 0, corner 1, corner 2))
+
+let triangles mesh =
+  let { Facets.points; corners; _ } = Mesh.facets mesh in
+  triples points corners
+
+let wound (a, b, c) = unit (Vec3.cross (b - a) (c - a))
+
+let triangle_intersections (normal : Direction.t) (a, b, c) ray =
+  let is_in t =
+    let u, v = in_plane a (b - a) (c - a) (at ray t) in
+    u >= 0. && v >= 0. && u +. v <= 1.
+  in
+  List.filter is_in (plane_intersections a normal ray)
+
+(* A line through an edge meets one of the triangles beside it. *)
+let rec once_an_edge = function
+  | t :: t' :: rest when t' -. t < 1e-9 -> once_an_edge (t :: rest)
+  | t :: rest -> t :: once_an_edge rest
+  | [] -> []
+
 let rec intersections (shape : Shape.t) ray =
   let { o; d; _ } = ray in
   match shape with
@@ -177,11 +208,13 @@ let rec intersections (shape : Shape.t) ray =
       let is_in t = length (at ray t - centre) < radius in
       List.filter is_in (plane_intersections centre normal ray)
   | Triangle { a; b; c; normal; _ } ->
-      let is_in t =
-        let u, v = in_plane a (b - a) (c - a) (at ray t) in
-        u >= 0. && v >= 0. && u +. v <= 1.
-      in
-      List.filter is_in (plane_intersections a normal ray)
+      triangle_intersections normal (a, b, c) ray
+  | Mesh mesh ->
+      triangles mesh
+      |> List.concat_map (fun corners ->
+             let normal = Direction.of_vec3_exn (wound corners) in
+             triangle_intersections normal corners ray)
+      |> List.sort Float.compare |> once_an_edge
   | Quad { corner; edge; other; normal; _ } ->
       let is_in t =
         let u, v = in_plane corner edge other (at ray t) in
@@ -210,9 +243,28 @@ let frustum_outward (f : Frustum.t) p =
       (f.length -. y, w);
     ]
 
+(* How far p is from a triangle's plane, or from the triangle by u and v. *)
+let from_triangle p (a, b, c) =
+  let u, v = in_plane a (b - a) (c - a) p in
+  let beside = List.fold_left Float.min 0. [ u; v; 1. -. u -. v ] in
+  Float.max (abs_float (dot (p - a) (wound (a, b, c)))) (-.beside)
+
+(* The normals at the corners, each times its weight. *)
+let blended p ((a, b, c), (na, nb, nc)) =
+  let u, v = in_plane a (b - a) (c - a) p in
+  unit (((1. -. u -. v) * na) + (u * nb) + (v * nc))
+
 (* M^-T is made of the columns of M^-1. *)
+let placed_normal modifiers n =
+  let part x y z = dot (undone undo_vector modifiers (Vec3.make x y z)) n in
+  unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
+
 let rec outward (shape : Shape.t) p =
   match shape with
+  | Mesh mesh ->
+      triangles mesh
+      |> List.map (fun corners -> (from_triangle p corners, wound corners))
+      |> of_nearest
   | Sphere s -> 1. /. s.radius * (p - centre s)
   | Plane { normal; _ } | Disc { normal; _ } -> (normal :> Vec3.t)
   | Triangle { a; b; c; _ } -> unit (Vec3.cross (b - a) (c - a))
@@ -227,12 +279,21 @@ let rec outward (shape : Shape.t) p =
       let _, q = from_axis centre axis p in
       unit (p - centre - (ring * unit q))
   | Placed { own; modifiers; _ } ->
-      let n = outward own (undone undo_point modifiers p) in
-      let part x y z =
-        dot (undone undo_vector modifiers (Vec3.make x y z)) n
-      in
-      unit (Vec3.make (part 1. 0. 0.) (part 0. 1. 0.) (part 0. 0. 1.))
+      placed_normal modifiers (outward own (undone undo_point modifiers p))
   | Solid _ -> assert false
+
+(* The outward normal for shading. *)
+let rec shading (shape : Shape.t) p =
+  match shape with
+  | Mesh mesh when Mesh.is_smooth mesh ->
+      let { Facets.normals; corner_normals; _ } = Mesh.facets mesh in
+      List.combine (triangles mesh) (triples normals corner_normals)
+      |> List.map (fun ((corners, _) as both) ->
+             (from_triangle p corners, blended p both))
+      |> of_nearest
+  | Placed { own; modifiers; _ } ->
+      placed_normal modifiers (shading own (undone undo_point modifiers p))
+  | shape -> outward shape p
 
 let frustum_size (f : Frustum.t) =
   List.fold_left Float.max f.length [ f.radius_a; f.radius_b ]
@@ -243,7 +304,9 @@ let size : Shape.t -> float = function
   | Cylinder c -> frustum_size (c :> Frustum.t)
   | Cone c -> frustum_size (c :> Frustum.t)
   | Torus { ring; tube; _ } -> ring +. tube
-  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Placed _ | Solid _ -> 0.
+  | Plane _ | Box _ | Disc _ | Triangle _ | Quad _ | Mesh _ | Placed _
+  | Solid _ ->
+      0.
 
 let inside_frustum (f : Frustum.t) p =
   let y, q = from_axis f.a f.axis p in
@@ -263,6 +326,12 @@ let rec inside (shape : Shape.t) p =
       let y, q = from_axis centre axis p in
       let x = length q -. ring in
       (x *. x) +. (y *. y) < tube *. tube
+  | Mesh _ ->
+      let ray =
+        { o = p; d = Vec3.make 0.2 0.5 0.7; rho = infinity; seed = 0. }
+      in
+      let ahead = List.filter (fun t -> t > 0.) (intersections shape ray) in
+      List.length ahead mod 2 = 1
   | Disc _ | Triangle _ | Quad _ | Solid _ -> assert false
 
 (* {1 The offset} *)
@@ -528,8 +597,9 @@ let lamps seed (light : Light.t) =
           let u = Pane.across pane k ~seed and v = Pane.along pane k ~seed in
           at_point (corner + (u * edge) + (v * other)))
 
-(* With what there is in the place of the cosine. *)
-let received (light : Light.t) { place; travels; cone } p n instead =
+(* With what there is in the place of the cosine; both normals, that of the
+   surface and that for shading, must face the light. *)
+let received (light : Light.t) { place; travels; cone } p (n, s) instead =
   let l, f =
     match place with
     | None -> (-travels, 1.)
@@ -537,7 +607,7 @@ let received (light : Light.t) { place; travels; cone } p n instead =
         let d2 = dot (s - p) (s - p) in
         (unit (s - p), if light.is_unfading then 1. else 1. /. d2)
   in
-  if dot n l <= 0. then Color.black
+  if dot n l <= 0. || dot s l <= 0. then Color.black
   else Color.scale (instead l *. f *. cone (-l) *. light.intensity) light.color
 
 let shadow_ray { place; travels; _ } a e =
@@ -557,19 +627,28 @@ let lets_through surface d n =
   in
   List.fold_left add Color.black (denotes surface).refractions
 
+(* The normal for shading on the side from which d comes, or that of the surface
+   where it faces away from there. *)
+let shaded shape sign p d ~n ~outward =
+  let s = sign * shading shape p in
+  let s = if n = outward then s else -s in
+  if dot d s < 0. then s else n
+
 let rec visible scene objects ray =
   match first (hits scene objects ray) with
   | None -> Color.white
   | Some { t; shape; surface; sign } ->
       let p = at ray t in
-      let n = facing ray (sign * outward shape p) in
+      let outward = sign * outward shape p in
+      let n = facing ray outward in
+      let s = shaded shape sign p ray.d ~n ~outward in
       let e = offset scene (size shape) p ray in
       let behind = { ray with o = p - (e * n); rho = ray.rho -. t } in
-      let part = lets_through surface ray.d n in
+      let part = lets_through surface ray.d s in
       if Color.largest part = 0. then Color.black
       else Color.multiply part (visible scene objects behind)
 
-let light scene p n e seed instead =
+let light scene p (n, s) e seed instead =
   let casting = List.filter (fun (o : Object.t) -> not o.is_shadowless) in
   let objects = casting scene.Scene.objects in
   let gives light =
@@ -577,7 +656,7 @@ let light scene p n e seed instead =
     let gives lamp =
       Color.multiply
         (visible scene objects (shadow_ray lamp (p + (e * n)) e))
-        (received light lamp p n instead)
+        (received light lamp p (n, s) instead)
     in
     Color.scale
       (1. /. float_of_int (List.length lamps))
@@ -589,19 +668,23 @@ let light scene p n e seed instead =
 
 (* What goes on, each with its weight: the mirrored ray and the refracted
    ones. *)
-let sent_on { m; refractions; _ } p ({ d; _ } as ray) n e ~is_outside =
-  let leave side d = { ray with o = p + (side *. e * n); d; rho = infinity } in
+let sent_on { m; refractions; _ } p ({ d; _ } as ray) (n, s) e ~is_outside =
+  let leave side d =
+    (* a normal for shading may bend it to the other side *)
+    let side = if n = s then side else Float.copy_sign 1. (dot n d) in
+    { ray with o = p + (side *. e * n); d; rho = infinity }
+  in
   let refraction (m, others) r =
-    match snell r.index d n ~is_outside with
+    match snell r.index d s ~is_outside with
     | None -> (m ++ r.plain ++ r.fresnel, others)
-    | Some ((eta, c, c') as s) ->
-        let f = fresnel s in
-        let d' = (eta * d) + (((eta *. c) -. c') * n) in
+    | Some ((eta, c, c') as bent) ->
+        let f = fresnel bent in
+        let d' = (eta * d) + (((eta *. c) -. c') * s) in
         let t = r.plain ++ Color.scale (1. -. f) r.glass in
         (m ++ Color.scale f r.fresnel, (t, leave (-1.) (unit d')) :: others)
   in
   let m, others = List.fold_left refraction (m, []) refractions in
-  (m, leave 1. (mirrored d n)) :: List.rev others
+  (m, leave 1. (mirrored d s)) :: List.rev others
   |> List.filter (fun (weight, _) -> Color.largest weight > 0.)
 
 let shared share weights =
@@ -618,15 +701,16 @@ let rec trace ?(share = 1.) (scene : Scene.t) left ray =
       let p = at ray t in
       let outward = sign * outward shape p in
       let n = facing ray outward and e = offset scene (size shape) p ray in
+      let s = shaded shape sign p ray.d ~n ~outward in
       let is_outside = dot ray.d outward <= 0. and lobes = denotes surface in
-      let sent = sent_on lobes p ray n e ~is_outside in
+      let sent = sent_on lobes p ray (n, s) e ~is_outside in
       let shares =
         shared share (List.map (fun (w, _) -> Color.largest w) sent)
       in
-      let light = light scene p n e ray.seed in
-      let diffused = scene.ambient ++ light (dot n)
-      and shine (s, c) =
-        let power l = Float.max 0. (dot (mirrored ray.d n) l) ** s in
+      let light = light scene p (n, s) e ray.seed in
+      let diffused = scene.ambient ++ light (dot s)
+      and shine (sharpness, c) =
+        let power l = Float.max 0. (dot (mirrored ray.d s) l) ** sharpness in
         Color.multiply c (light power)
       in
       List.fold_left2

@@ -1,6 +1,6 @@
 (* Decimal against the standard library's float_of_string. *)
 
-open Raylab_language
+open Raylab_source
 
 let read text =
   let padded = Bytes.of_string ("##" ^ text ^ "##") in
