@@ -52,6 +52,8 @@ let rec surface s : Yojson.Safe.t =
   let parts =
     match (s : Surface.t) with
     | Mixed { parts; _ } -> [ ("parts", `List (List.map weighted parts)) ]
+    | Checker { size; even; odd; _ } ->
+        [ ("size", number size); ("even", surface even); ("odd", surface odd) ]
     | simple -> List.map parameter (Surface.parameters simple)
   in
   `Assoc (("kind", text (Surface.name s)) :: parts)

@@ -67,6 +67,9 @@ SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
        or { "kind": "mixed",
             "parts": [{ "weight": NUMBER or COLOR, "surface": SURFACE },
                       ...] }
+       or { "kind": "checker", "size": NUMBER,
+            "even": SURFACE,              where the sum of the floors of
+            "odd": SURFACE }              x, y and z over the size is so
 
 WORD    = what the scene language calls it
 PART    = what it takes there, in that order, by name:

@@ -57,13 +57,27 @@ let print_lights style ppf indent (h : Explain.surface_hit) all =
 
 (* {1 Rays} *)
 
-let print_hit ppf indent { Explain.hit; object_; primitive; place; lobes; _ } =
+(* What a surface that varies is at the point, which is that of the shape before
+   its modifiers. *)
+let print_here ppf indent { Explain.hit; surface = here; _ } surface =
+  let own ppf =
+    if not (Vec3.equal hit.point hit.own_point) then
+      text ppf " in its own coordinates"
+  in
+  if Surface.varies surface then
+    line ppf indent "%a@ at %a%t" text
+      (Naming.here surface ~here)
+      Vec3.pp hit.own_point own
+
+let print_hit ppf indent (h : Explain.surface_hit) =
+  let { Explain.hit; object_; primitive; place; lobes; _ } = h in
   let { Object.shape; surface; _ } = Object.primitive object_ hit.primitive in
   line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
     (Naming.by_number ?primitive hit.number object_ place
     |> Naming.with_part shape hit.part)
     Number.pp hit.t Vec3.pp hit.point Direction.pp hit.normal;
   line ppf indent "surface: %a" text (Format.asprintf "%a" Surface.pp surface);
+  print_here ppf indent h surface;
   line ppf indent "that is, %a" Lobes.pp lobes
 
 (* Of a term: its name, and how it came about. *)

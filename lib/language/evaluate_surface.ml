@@ -2,11 +2,13 @@ open Raylab_scene
 open Raylab_expression
 
 let attempt check frame f = Check.attempt check frame Surface.reflective f
-let too_deep = "mixes are nested deeper than 1,000"
 
-let fail_deep span =
-  Fault.fail span too_deep
+let mixes_too_deep span =
+  Fault.fail span "mixes are nested deeper than 1,000"
     ~advice:"a mix in a mix may be written as one, with its weights multiplied"
+
+let checkers_too_deep span =
+  Fault.fail span "checkers are nested deeper than 1,000"
 
 let chosen check scope e =
   let code = Code.compile scope e in
@@ -23,8 +25,11 @@ let rec nested depth check scope { Syntax.finish; span } :
       Evaluate_written.compile check scope span ~default:Surface.reflective
         written
   | Mixed _ when depth = Surface.max_nesting ->
-      fun frame -> attempt check frame (fun () -> fail_deep span)
+      fun frame -> attempt check frame (fun () -> mixes_too_deep span)
+  | Checker _ when depth = Surface.max_nesting ->
+      fun frame -> attempt check frame (fun () -> checkers_too_deep span)
   | Mixed parts -> mixed depth check scope span parts
+  | Checker (size, even, odd) -> checker depth check scope span size even odd
   | Chosen e -> chosen check scope e
 
 and mixed depth check scope span parts =
@@ -41,6 +46,22 @@ and mixed depth check scope span parts =
     let parts = List.map part parts in
     attempt check frame (fun () ->
         try Surface.mixed parts
-        with Invalid_argument _ -> Fault.fail span too_deep)
+        with Invalid_argument _ -> mixes_too_deep span)
+
+and checker depth check scope span size even odd =
+  let size =
+    Evaluate_written.number check scope Positive "the size of the checker" size
+  and even = nested (depth + 1) check scope even
+  and odd = nested (depth + 1) check scope odd in
+  fun frame ->
+    let size = size frame in
+    let even = even frame in
+    let odd = odd frame in
+    attempt check frame (fun () ->
+        (* what has a name may be in it many times *)
+        Budget.steps frame.Frame.run.budget span
+          (Surface.count even + Surface.count odd);
+        try Surface.checker size even odd
+        with Invalid_argument _ -> checkers_too_deep span)
 
 let compile check scope surface = nested 0 check scope surface

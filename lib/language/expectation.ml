@@ -14,7 +14,8 @@ let after_word (keyword : Keyword.t) count =
 (* {1 Anything else} *)
 
 let expression = "a number, a name, a function or what stands in brackets"
-let surfaces = "a surface: diffusive, reflective, luminous or mixed"
+let all_surfaces = "diffusive, reflective, luminous, mixed or checker"
+let surfaces = "a surface: " ^ all_surfaces
 let range = "= and the first value, or in and a list, after the name of a loop"
 
 (* All of them, in lines of some fifty letters. *)
@@ -79,7 +80,7 @@ let rule whole before after =
   | "value", _, "plain" :: _ -> expected "number" (vector "z")
   | "parts", [ "weight" ], _ ->
       expected "surface"
-        "a surface after its weight: diffusive, reflective, luminous or mixed"
+        ("a surface after its weight: " ^ all_surfaces)
   | "parts", _, _ ->
       expected "shape"
         ("the next object (" ^ shapes

@@ -193,6 +193,14 @@ let surfaces : t list =
       [ ("number", "the weight of the first part of the mix:\nmixed WEIGHT \
                     SURFACE WEIGHT SURFACE ...") ]
       "a sum of surfaces";
+    row "checker" CHECKER "CHECKER"
+      [ ("number", "the size of the cubes of the checker, such as 1:\n\
+                    checker SIZE SURFACE SURFACE");
+        ("surface", "the first surface of the checker: checker SIZE SURFACE \
+                     SURFACE");
+        ("surface", "the second surface of the checker: checker SIZE SURFACE \
+                     SURFACE") ]
+      "cubes of two surfaces in turn";
   ]
 [@@ocamlformat "disable"]
 

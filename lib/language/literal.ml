@@ -38,6 +38,10 @@ let rec surface nesting { Syntax.finish; _ } =
   | Mixed parts ->
       let part (weight, s) = (number weight, surface (nesting + 1) s) in
       Surface.mixed (List.map part parts)
+  | Checker _ when nesting = Surface.max_nesting -> raise_notrace Computed
+  | Checker (size, even, odd) ->
+      let even = surface (nesting + 1) even in
+      Surface.checker (number size) even (surface (nesting + 1) odd)
   | Chosen _ -> raise_notrace Computed
 
 let item (placed : Syntax.placed) =

@@ -54,7 +54,7 @@ let modifier change loc = { Syntax.change = Some change; span = span loc }
 %token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
 %token UNION "union" INTERSECTION "intersection" DIFFERENCE "difference"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
-%token MIXED "mixed"
+%token MIXED "mixed" CHECKER "checker"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
 %token TRANSLATED "translated" SHADOWLESS "shadowless"
 %token LET "let" FOR "for" IF "if" ELSE "else" END "end" TO "to" BY "by"
@@ -288,6 +288,9 @@ own_surface:
   | "luminous" c = color { plain (Finishes.luminous c) $loc($1) }
   | "mixed" parts = parts
       { { Syntax.finish = Mixed parts; span = span $loc($1) } }
+  | "checker" size = atom even = surface odd = surface
+      { { Syntax.finish = Checker (size, even, odd);
+          span = span $loc($1) } }
 
 parts:
   | weight = weight surface = surface %prec end_of_mix { [ (weight, surface) ] }

@@ -14,6 +14,7 @@ type surface = { finish : finish; span : Span.t  (** of its first word *) }
 and finish =
   | Plain of Surface.t Written.t
   | Mixed of (Expression.t * surface) list
+  | Checker of Expression.t * surface * surface
   | Chosen of Expression.t  (** a name, or what stands in brackets *)
 
 type modifier = {

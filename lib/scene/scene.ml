@@ -57,7 +57,12 @@ let greyscale scene =
 
 let findings scene =
   let some_surface holds =
-    let holds surface = holds (Surface.lobes surface) in
+    let holds_at_once surface = holds (Surface.lobes surface) in
+    let holds surface =
+      if Surface.varies surface then
+        List.exists holds_at_once (Surface.simple surface)
+      else holds_at_once surface
+    in
     List.exists (fun o -> List.exists holds (Object.surfaces o)) scene.objects
   in
   let needs_light { Lobes.albedo; _ } = not (Color.equal albedo Color.black)

@@ -8,6 +8,7 @@ type t =
   | Refractive of { index : float; color : Color.t }
   | Glass of { index : float; color : Color.t }
   | Mixed of { parts : (Color.t * t) list; nesting : int }
+  | Checker of { size : float; even : t; odd : t; nesting : int; count : int }
 
 let diffusive c =
   Color.require "a diffusive colour" c;
@@ -47,17 +48,18 @@ let[@tail_mod_cons] rec inline_mixes = function
 
 let max_nesting = 1000
 
-(* Only the last part of a mix can be a mix. *)
-let rec nesting_of_last = function
-  | [ (_, Mixed { nesting; _ }) ] -> nesting
-  | [] | [ _ ] -> 0
-  | _ :: rest -> nesting_of_last rest
+let nesting = function
+  | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
+    ->
+      0
+  | Mixed { nesting; _ } | Checker { nesting; _ } -> nesting
 
 let tinted parts =
   if parts = [] then invalid_arg "a mix of no surfaces";
   List.iter (fun (weight, _) -> Color.require "a weight" weight) parts;
   let parts = inline_mixes parts in
-  let nesting = 1 + nesting_of_last parts in
+  let deeper deepest (_, part) = Int.max deepest (nesting part) in
+  let nesting = 1 + List.fold_left deeper 0 parts in
   if nesting > max_nesting then
     invalid_arg "mixes are nested deeper than 1,000";
   Mixed { parts; nesting }
@@ -69,18 +71,56 @@ let mixed parts =
   in
   tinted (List.map weighted parts)
 
+(* What has a name may be a part many times. *)
+let most_counted = 1_000_000_000
+
+let rec count = function
+  | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
+    ->
+      1
+  | Checker { count; _ } -> count
+  | Mixed { parts; _ } ->
+      let add sum (_, part) = Int.min most_counted (sum + count part) in
+      List.fold_left add 1 parts
+
+let checker size even odd =
+  Number.require Positive "the size of a checker" size;
+  let nesting = 1 + Int.max (nesting even) (nesting odd) in
+  if nesting > max_nesting then
+    invalid_arg "checkers are nested deeper than 1,000";
+  let count = Int.min most_counted (1 + count even + count odd) in
+  Checker { size; even; odd; nesting; count }
+
 (* {1 Meaning} *)
 
 let rec varies = function
   | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
     ->
       false
+  | Checker _ -> true
   | Mixed { parts; _ } -> List.exists (fun (_, part) -> varies part) parts
 
 let rec is_plain = function
   | Diffusive _ | Reflective | Luminous _ -> true
   | Glossy _ | Refractive _ | Glass _ -> false
   | Mixed { parts; _ } -> List.for_all (fun (_, part) -> is_plain part) parts
+  | Checker { even; odd; _ } -> is_plain even && is_plain odd
+
+(* Faces often lie between two cubes; what little their points are off must not
+   show. *)
+let margin = 0x1p-30
+
+(* 1 if the greatest whole number that is at most [x] is odd, else 0. *)
+let[@inline] parity x =
+  let whole = floor (x +. margin) in
+  whole -. (2. *. floor (0.5 *. whole))
+
+(* Whether a point lies in one of the odd cubes. *)
+let[@inline] is_odd size x y z =
+  let x = parity (x /. size) = 1.
+  and y = parity (y /. size) = 1.
+  and z = parity (z /. size) = 1. in
+  x <> (y <> z)
 
 let rec write_row surface spot raw row =
   Raw_lobes.open_row raw row;
@@ -92,6 +132,10 @@ let rec write_row surface spot raw row =
   | Refractive { index; color } -> Raw_lobes.add_refractive raw ~index color
   | Glass { index; color } -> Raw_lobes.add_glass raw ~index color
   | Mixed { parts; _ } -> write_parts parts spot raw row
+  | Checker { size; even; odd; _ } ->
+      let { Spot.own_x; own_y; own_z; _ } = spot in
+      let here = if is_odd size own_x own_y own_z then odd else even in
+      write_row here spot raw row
 
 and write_parts parts spot raw row =
   match parts with
@@ -111,35 +155,39 @@ let lobes ?(at = Vec3.zero) surface =
   write surface spot raw;
   Raw_lobes.read raw
 
-(* [map ~weight f surface] is [surface] with [f] applied to each part that is no
-   mix, and [weight] to each weight. *)
-let rec map ?(weight = Fun.id) f = function
-  | Mixed { parts; _ } ->
-      tinted (List.map (fun (w, part) -> (weight w, map ~weight f part)) parts)
-  | simple -> f simple
+let map_weight f ({ Color.r; g; b } as w) = if r = g && g = b then w else f w
 
-let map_colors f =
-  let weight ({ Color.r; g; b } as w) = if r = g && g = b then w else f w in
-  map ~weight (function
-    | Diffusive c -> diffusive (f c)
-    | Luminous c -> luminous (f c)
-    | Glossy { sharpness; color } -> glossy ~sharpness (f color)
-    | Refractive { index; color } -> refractive ~index (f color)
-    | Glass { index; color } -> glass ~index (f color)
-    | (Reflective | Mixed _) as same -> same)
+let rec map_colors f = function
+  | Diffusive c -> diffusive (f c)
+  | Reflective -> Reflective
+  | Luminous c -> luminous (f c)
+  | Glossy { sharpness; color } -> glossy ~sharpness (f color)
+  | Refractive { index; color } -> refractive ~index (f color)
+  | Glass { index; color } -> glass ~index (f color)
+  | Mixed { parts; _ } ->
+      let part (weight, surface) =
+        (map_weight f weight, map_colors f surface)
+      in
+      tinted (List.map part parts)
+  | Checker { size; even; odd; _ } ->
+      checker size (map_colors f even) (map_colors f odd)
 
 let paint = function
   | Diffusive c -> Some c
-  | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _ | Mixed _ ->
+  | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _ | Mixed _
+  | Checker _ ->
       None
 
-let simple_at (_ : Vec3.t) = function
-  | ( Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
-    | Mixed _ ) as same ->
-      same
-
-let at surface point =
-  if varies surface then map (simple_at point) surface else surface
+let rec at surface (point : Vec3.t) =
+  match surface with
+  | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
+    ->
+      surface
+  | Checker { size; even; odd; _ } ->
+      at (if is_odd size point.x point.y point.z then odd else even) point
+  | Mixed { parts; _ } when varies surface ->
+      tinted (List.map (fun (weight, part) -> (weight, at part point)) parts)
+  | Mixed _ -> surface
 
 (* {1 Forms} *)
 
@@ -153,8 +201,10 @@ let rec equal a b =
       a.index = b.index && Color.equal a.color b.color
   | Glass a, Glass b -> a.index = b.index && Color.equal a.color b.color
   | Mixed a, Mixed b -> List.equal equal_part a.parts b.parts
+  | Checker a, Checker b ->
+      a.size = b.size && equal a.even b.even && equal a.odd b.odd
   | ( ( Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _
-      | Glass _ | Mixed _ ),
+      | Glass _ | Mixed _ | Checker _ ),
       _ ) ->
       false
 
@@ -169,6 +219,7 @@ let name = function
   | Refractive _ -> "refractive"
   | Glass _ -> "glass"
   | Mixed _ -> "mixed"
+  | Checker _ -> "checker"
 
 let of_color { Color.r; g; b } = Parameter.Triple (r, g, b)
 
@@ -178,6 +229,7 @@ let parameters = function
       [ ("sharpness", Number sharpness); ("color", of_color color) ]
   | Refractive { index; color } | Glass { index; color } ->
       [ ("index", Number index); ("color", of_color color) ]
+  | Checker { size; _ } -> [ ("size", Number size) ]
   | Reflective | Mixed _ -> []
 
 let weight { Color.r; g; b } =
@@ -190,6 +242,7 @@ let rec add_colors found = function
         add_colors (if is_number then found else w :: found) part
       in
       List.fold_left add found parts
+  | Checker { even; odd; _ } -> add_colors (add_colors found even) odd
   | simple ->
       let add found : _ * Parameter.t -> _ = function
         | _, Triple (r, g, b) -> Color.make r g b :: found
@@ -199,6 +252,40 @@ let rec add_colors found = function
 
 let colors surface = List.rev (add_colors [] surface)
 
+let rec add_simple found = function
+  | Mixed { parts; _ } ->
+      List.fold_left (fun found (_, part) -> add_simple found part) found parts
+  | Checker { even; odd; _ } -> add_simple (add_simple found even) odd
+  | simple -> simple :: found
+
+let simple surface = List.rev (add_simple [] surface)
+
+(* Whether a weight after it would belong to a mix in it. *)
+let rec ends_in_mix = function
+  | Mixed _ -> true
+  | Checker { odd; _ } -> ends_in_mix odd
+  | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
+    ->
+      false
+
+(* The last one first. *)
+let rec add_to_name found = function
+  | Checker { even; odd; _ } -> add_to_name (add_to_name found even) odd
+  | Mixed { parts; _ } -> add_parts_to_name found parts
+  | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
+    ->
+      found
+
+and add_parts_to_name found = function
+  | [] -> found
+  | [ (_, last) ] -> add_to_name found last
+  | (_, part) :: rest ->
+      let found = add_to_name found part in
+      let found = if ends_in_mix part then part :: found else found in
+      add_parts_to_name found rest
+
+let parts_to_name surface = List.rev (add_to_name [] surface)
+
 let pp_weight pp_number ppf w =
   match weight w with
   | Number x -> pp_number ppf x
@@ -207,18 +294,42 @@ let pp_weight pp_number ppf w =
 
 (* Without "%a", which takes so much of the stack that the deepest mixes do not
    fit on that of JavaScript. *)
-let rec pp_with pp_number ppf surface =
-  let pp_weighted (w, surface) =
-    Format.pp_print_char ppf ' ';
-    pp_weight pp_number ppf w;
-    Format.pp_print_char ppf ' ';
-    pp_with pp_number ppf surface
-  and pp_parameter (_, parameter) =
+let rec pp_with ?(name_of = fun _ -> None) pp_number ppf surface =
+  let pp_parameter (_, parameter) =
     Format.fprintf ppf " %a" (Parameter.pp_with pp_number) parameter
+  and pp_next surface =
+    Format.pp_print_char ppf ' ';
+    pp_with ~name_of pp_number ppf surface
   in
   Format.pp_print_string ppf (name surface);
+  List.iter pp_parameter (parameters surface);
   match surface with
-  | Mixed { parts; _ } -> List.iter pp_weighted parts
-  | simple -> List.iter pp_parameter (parameters simple)
+  | Mixed { parts; _ } -> pp_parts name_of pp_number ppf parts
+  | Checker { even; odd; _ } ->
+      pp_next even;
+      pp_next odd
+  | Diffusive _ | Reflective | Luminous _ | Glossy _ | Refractive _ | Glass _
+    ->
+      ()
+
+and pp_parts name_of pp_number ppf = function
+  | [] -> ()
+  | (weight, surface) :: rest ->
+      Format.pp_print_char ppf ' ';
+      pp_weight pp_number ppf weight;
+      Format.pp_print_char ppf ' ';
+      if rest <> [] && ends_in_mix surface then
+        pp_apart name_of pp_number ppf surface
+      else pp_with ~name_of pp_number ppf surface;
+      pp_parts name_of pp_number ppf rest
+
+(* Somebody who reads sees by brackets which weights belong to it. *)
+and pp_apart name_of pp_number ppf surface =
+  match name_of surface with
+  | Some name -> Format.pp_print_string ppf name
+  | None ->
+      Format.pp_print_char ppf '(';
+      pp_with ~name_of pp_number ppf surface;
+      Format.pp_print_char ppf ')'
 
 let pp = pp_with Number.pp

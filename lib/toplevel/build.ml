@@ -44,6 +44,7 @@ let diffusive = Surface.diffusive
 let reflective = Surface.reflective
 let luminous = Surface.luminous
 let mixed = Surface.mixed
+let checker = Surface.checker
 
 let sphere centre radius surface =
   Object.make (Shape.sphere ~centre ~radius) surface

@@ -87,6 +87,9 @@ val luminous : Color.t -> Surface.t
 val mixed : (float * Surface.t) list -> Surface.t
 (** [mixed parts] is the sum of [parts], each a weight and a surface. *)
 
+val checker : float -> Surface.t -> Surface.t -> Surface.t
+(** [checker size a b] is cubes of this size, of [a] and [b] in turn. *)
+
 (** {1 Objects} *)
 
 val sphere : Vec3.t -> float -> Surface.t -> Object.t

@@ -69,10 +69,45 @@ let rec written : Yojson.Safe.t -> string list = function
   | `String word -> [ word ]
   | number -> [ Number.to_exact_string (float number) ]
 
-let read words =
+let rec surface json : Surface.t =
+  let part json =
+    (float (member "weight" json), surface (member "surface" json))
+  in
+  match kind json with
+  | "diffusive" -> Surface.diffusive (color (member "color" json))
+  | "reflective" -> Surface.reflective
+  | "luminous" -> Surface.luminous (color (member "color" json))
+  | "mixed" -> Surface.mixed (list part (member "parts" json))
+  | "checker" ->
+      Surface.checker
+        (float (member "size" json))
+        (surface (member "even" json))
+        (surface (member "odd" json))
+  | other -> wrong other
+
+let exact ppf x = Format.pp_print_string ppf (Number.to_exact_string x)
+
+(* [written_surface definitions json] is the words for a surface, after what is
+   added to [definitions]. *)
+let written_surface definitions json =
+  let surface = surface json in
+  let name part =
+    let name = Printf.sprintf "part_%d" (List.length !definitions) in
+    definitions := (part, name) :: !definitions
+  and name_of part = List.assq_opt part !definitions in
+  List.iter name (Surface.parts_to_name surface);
+  Format.asprintf "%a" (Surface.pp_with ~name_of exact) surface
+
+let read definitions words =
   let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
+  let name_of part = List.assq_opt part definitions in
+  let definition (part, name) =
+    Format.asprintf "let %s = %a" name (Surface.pp_with ~name_of exact) part
+  in
+  let definitions = List.rev_map definition definitions in
   let source =
-    Sources.make ~name:"JSON" (String.concat " " (header :: words))
+    Sources.make ~name:"JSON"
+      (String.concat " " ((header :: definitions) @ words))
   in
   match Scene_file.parse source with
   | Ok { objects = [ o ]; _ } -> o
@@ -101,15 +136,21 @@ let has name : Yojson.Safe.t -> bool = function
 
 let plain_parts json = [ "shape"; "surface" ] @ changes json
 
-(* [solid json] is the words for what is put together, or for a primitive. *)
-let rec solid json =
+let of_part definitions part json =
+  if part = "surface" then [ written_surface definitions json ]
+  else written json
+
+(* [solid definitions json] is the words for what is put together, or for a
+   primitive. *)
+let rec solid definitions json =
   if has "primitive" json then
     let parts = plain_parts json in
     let get = members ("primitive" :: parts) json in
-    List.concat_map (fun part -> written (get part)) parts
+    List.concat_map (fun part -> of_part definitions part (get part)) parts
   else
     let get = members [ "kind"; "parts" ] json in
-    (text (get "kind") :: List.concat (list solid (get "parts"))) @ [ "end" ]
+    (text (get "kind") :: List.concat (list (solid definitions) (get "parts")))
+    @ [ "end" ]
 
 (* Primitives are told without their places. *)
 let unplaced (o : Object.t) =
@@ -126,10 +167,13 @@ let object_ json =
   let get =
     members (("number" :: place_members json) @ parts @ shadowless) json
   in
+  let definitions = ref [] in
   let words part =
-    if part = "solid" then solid (get part) else written (get part)
+    if part = "solid" then solid definitions (get part)
+    else of_part definitions part (get part)
   in
-  let o = read (List.concat_map words parts @ shadowless) in
+  let words = List.concat_map words parts in
+  let o = read !definitions (words @ shadowless) in
   let origin = origin json in
   ( int (get "number"),
     Object.with_origin origin (unplaced o),

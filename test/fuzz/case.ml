@@ -94,10 +94,14 @@ let color number random =
   else vector (at_least_0 number) random
 
 let rec surface number depth random =
-  match up_to random (if depth = 0 then 2 else 3) with
+  match up_to random (if depth = 0 then 2 else 4) with
   | 0 -> "diffusive " ^ color number random
   | 1 -> "reflective"
   | 2 -> "luminous " ^ color number random
+  | 3 ->
+      Printf.sprintf "checker %s %s %s" (positive number random)
+        (surface number (depth - 1) random)
+        (surface number (depth - 1) random)
   | _ ->
       let part random =
         at_least_0 number random ^ " " ^ surface number (depth - 1) random

@@ -163,10 +163,14 @@ let color scope random =
       sprintf "%s %s %s" (p ()) (p ()) (p ())
 
 let rec own_surface scope depth random =
-  match up_to random (if depth = 0 then 2 else 3) with
+  match up_to random (if depth = 0 then 2 else 4) with
   | 0 -> "diffusive " ^ color scope random
   | 1 -> "reflective"
   | 2 -> "luminous " ^ color scope random
+  | 3 ->
+      sprintf "checker %s %s %s" (positive scope random)
+        (surface scope (depth - 1) random)
+        (surface scope (depth - 1) random)
   | _ ->
       sprintf "mixed 0.5 %s (%s) %s"
         (own_surface scope (depth - 1) random)

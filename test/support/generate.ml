@@ -189,6 +189,10 @@ let surface number =
         [
           (2, simple_surface number);
           (1, map Surface.mixed (list_size (1 -- 3) part));
+          ( 1,
+            map3 Surface.checker (positive number)
+              (at_depth (n - 1))
+              (at_depth (n - 1)) );
         ]
   in
   at_depth 3

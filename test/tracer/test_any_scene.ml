@@ -64,12 +64,24 @@ let surface_of (o : Object.t) part =
   | Solid s -> o.primitives.(Solid.member_of s ~part).surface
   | _ -> o.surface
 
-(* That of the first of the objects that are hit at the least distance. *)
+let own_point shape part ray t =
+  let raw = Raw_ray.create () and spot = Spot.create () in
+  let o = Ray.origin ray and d = (Ray.direction ray :> Vec3.t) in
+  Raw_ray.set_origin raw o.x o.y o.z;
+  Raw_ray.set_direction raw d.x d.y d.z;
+  raw.reach <- t;
+  Shape.settle shape ~part raw spot;
+  Spot.own spot
+
+(* That of the first of the objects that are hit at the least distance, with the
+   own point there. *)
 let nearest_surface (scene : Scene.t) ray =
   let usual = Offset.of_scale (Camera.scale scene.camera) in
   let nearer (best, limit) (o : Object.t) =
-    match Shape.nearest (Shape.with_tolerance usual o.shape) ray with
-    | Some (t, part) when t < limit -> (Some (surface_of o part), t)
+    let shape = Shape.with_tolerance usual o.shape in
+    match Shape.nearest shape ray with
+    | Some (t, part) when t < limit ->
+        (Some (surface_of o part, own_point shape part ray t), t)
     | _ -> (best, limit)
   in
   fst (List.fold_left nearer (None, infinity) scene.objects)
@@ -87,8 +99,8 @@ let lobes =
       let expected =
         match nearest_surface scene ray with
         | None -> scene.background
-        | Some surface ->
-            let { Lobes.emission; mirror; _ } = Surface.lobes surface in
+        | Some (surface, at) ->
+            let { Lobes.emission; mirror; _ } = Surface.lobes ~at surface in
             Color.add emission (Color.multiply mirror scene.background)
       in
       Alcotest.equal (Same.color_near 1e-9) expected

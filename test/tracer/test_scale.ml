@@ -10,7 +10,7 @@ let scale_shape k = Shape.transformed Change.(of_modifiers [ Scaled k ])
 
 let scale_object k (o : Object.t) =
   match o.primitives with
-  | [||] when not o.is_shadowless ->
+  | [||] when not (o.is_shadowless || Surface.varies o.surface) ->
       Object.make (scale_shape k o.shape) o.surface
   | _ -> Object.transformed Change.(of_modifiers [ Scaled k ]) o
 

@@ -397,8 +397,15 @@ let facing { d; _ } n = if dot d n > 0. then -n else n
 
 (* {1 Surfaces} *)
 
-(* E, A and M. *)
-let rec denotes (surface : Surface.t) =
+(* The point in own coordinates. *)
+let rec own (shape : Shape.t) p =
+  match shape with
+  | Placed { own = shape; modifiers; _ } ->
+      own shape (undone undo_point modifiers p)
+  | _ -> p
+
+(* E, A and M, at the own point q. *)
+let rec denotes (surface : Surface.t) (q : Vec3.t) =
   match surface with
   | Diffusive c -> (Color.black, c, Color.black)
   | Reflective -> (Color.black, Color.black, Color.white)
@@ -406,10 +413,15 @@ let rec denotes (surface : Surface.t) =
   | Glossy _ | Refractive _ | Glass _ -> invalid_arg "not made here"
   | Mixed { parts; _ } ->
       let add (e, a, m) (k, part) =
-        let e', a', m' = denotes part and weighted = Color.multiply k in
+        let e', a', m' = denotes part q and weighted = Color.multiply k in
         (e ++ weighted e', a ++ weighted a', m ++ weighted m')
       in
       List.fold_left add (Color.black, Color.black, Color.black) parts
+  | Checker { size; even; odd; _ } ->
+      (* a little that no picture shows decides between two cubes *)
+      let cube x = floor ((x /. size) +. 0x1p-30) in
+      let sum = cube q.x +. cube q.y +. cube q.z in
+      denotes (if Float.rem sum 2. = 0. then even else odd) q
 
 (* {1 Light} *)
 
@@ -449,7 +461,7 @@ let rec trace (scene : Scene.t) left ray =
       let p = at ray t in
       let n = facing ray (sign * outward shape p)
       and e = offset scene (size shape) p ray in
-      let emission, albedo, mirror = denotes surface in
+      let emission, albedo, mirror = denotes surface (own shape p) in
       let reflected =
         { o = p + (e * n); d = mirrored ray.d n; rho = infinity }
       in
