@@ -5,9 +5,14 @@ let pf = Printf.sprintf
 
 (* A mirror has no colour of its own. *)
 let mirror_color = Color.make (205. /. 255.) (218. /. 255.) (228. /. 255.)
+let unknown = Drawing.Seen (Color.make 0.5 0.5 0.5)
 
-let fill (o : Object.t) =
-  let { Lobes.emission; albedo; mirror; _ } = Surface.lobes o.surface in
+let rec fill (o : Object.t) =
+  match Surface.lobes o.surface with
+  | lobes -> fill_with lobes
+  | exception Pattern.Failed _ -> unknown
+
+and fill_with { Lobes.emission; albedo; mirror; _ } =
   let own = Saturate.color (Color.add emission albedo) in
   if Color.largest mirror > 0. && Color.equal own Color.black then
     Drawing.Seen mirror_color

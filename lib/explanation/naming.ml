@@ -144,11 +144,6 @@ let here surface ~here =
   let what =
     match look here with `Before look -> look | `Instead look -> Words.a look
   in
-  let noun =
-    match (surface : Surface.t) with
-    | Mixed _ -> "mix"
-    | _ -> Surface.name surface
-  in
-  Printf.sprintf "the %s is %s" noun what
+  Printf.sprintf "the %s is %s" (Surface.name surface) what
 
 let background c = Color_word.of_color c ^ " background"

@@ -41,7 +41,7 @@ val by_look :
 
 val here : Surface.t -> here:Surface.t -> string
 (** [here surface ~here] says that [surface], which varies, is [here] at some
-    point: [the checker is white], [the mix is a mirror]. *)
+    point: [the checker is white], [the checker is a mirror]. *)
 
 val background : Color.t -> string
 (** [background c] is [blue background]. *)

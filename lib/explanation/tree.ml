@@ -64,10 +64,21 @@ let print_here ppf indent { Explain.hit; surface = here; _ } surface =
     if not (Vec3.equal hit.point hit.own_point) then
       text ppf " in its own coordinates"
   in
-  if Surface.varies surface then
-    line ppf indent "%a@ at %a%t" text
-      (Naming.here surface ~here)
-      Vec3.pp hit.own_point own
+  let at_point sentence =
+    line ppf indent "%t@ at %a%t" sentence Vec3.pp hit.own_point own
+  in
+  let tell pattern =
+    match Pattern_text.told pattern with
+    | [] -> ()
+    | names -> line ppf indent "where %a" text (String.concat ", " names)
+  in
+  List.iter tell (Surface.patterns surface);
+  match (surface : Surface.t) with
+  | Checker _ -> at_point (fun ppf -> text ppf (Naming.here surface ~here))
+  | _ when Surface.varies surface ->
+      at_point (fun ppf ->
+          pf ppf "which is %a" text (Format.asprintf "%a" Surface.pp here))
+  | _ -> ()
 
 let print_hit ppf indent (h : Explain.surface_hit) =
   let { Explain.hit; object_; primitive; place; lobes; _ } = h in

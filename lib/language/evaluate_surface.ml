@@ -10,6 +10,9 @@ let mixes_too_deep span =
 let checkers_too_deep span =
   Fault.fail span "checkers are nested deeper than 1,000"
 
+let varying_too_deep span =
+  Fault.fail span "surfaces are nested deeper than 1,000"
+
 let chosen check scope e =
   let code = Code.compile scope e in
   fun frame ->
@@ -21,7 +24,7 @@ let chosen check scope e =
 let rec nested depth check scope { Syntax.finish; span } :
     Surface.t Check.ready =
   match finish with
-  | Plain written ->
+  | Plain { written; _ } ->
       Evaluate_written.compile check scope span ~default:Surface.reflective
         written
   | Mixed _ when depth = Surface.max_nesting ->
@@ -30,6 +33,8 @@ let rec nested depth check scope { Syntax.finish; span } :
       fun frame -> attempt check frame (fun () -> checkers_too_deep span)
   | Mixed parts -> mixed depth check scope span parts
   | Checker (size, even, odd) -> checker depth check scope span size even odd
+  | Varying { name; name_span; body } ->
+      varying depth check scope span name name_span body
   | Chosen e -> chosen check scope e
 
 and mixed depth check scope span parts =
@@ -63,5 +68,23 @@ and checker depth check scope span size even odd =
           (Surface.count even + Surface.count odd);
         try Surface.checker size even odd
         with Invalid_argument _ -> checkers_too_deep span)
+
+(* What is in it is made ready as well, so that what is wrong is told whether or
+   not it is seen. *)
+and varying depth check scope span name name_span body =
+  let inner, _ = Scope.bind scope name name_span in
+  let deeper : Surface.t Check.ready = nested (depth + 1) check inner body in
+  ignore deeper;
+  match Surface_expression.make body with
+  | None -> fun frame -> attempt check frame (fun () -> varying_too_deep span)
+  | Some written ->
+      fun frame ->
+        attempt check frame (fun () ->
+            let thing = Evaluate_pattern.surface in
+            let pattern =
+              Evaluate_pattern.make ~thing scope ~at:span name written frame
+            in
+            try Surface.varying pattern
+            with Invalid_argument _ -> varying_too_deep span)
 
 let compile check scope surface = nested 0 check scope surface

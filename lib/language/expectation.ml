@@ -14,7 +14,10 @@ let after_word (keyword : Keyword.t) count =
 (* {1 Anything else} *)
 
 let expression = "a number, a name, a function or what stands in brackets"
-let all_surfaces = "diffusive, reflective, luminous, mixed or checker"
+
+let all_surfaces =
+  "diffusive, reflective, luminous, mixed, checker or\nvarying"
+
 let surfaces = "a surface: " ^ all_surfaces
 let range = "= and the first value, or in and a list, after the name of a loop"
 
@@ -173,6 +176,14 @@ let rule whole before after =
 
 let of_item { Parser_state.whole; before; after } =
   match (whole, before) with
+  | "setting", [ "BCOLOR"; "VARYING" ] ->
+      expected "name"
+        "a name for the direction after bcolor varying:\n\
+         bcolor varying NAME COLOUR"
+  | "setting", [ "BCOLOR"; "VARYING"; _ ] ->
+      expected "colour"
+        "the colour after the name of the direction: bcolor varying NAME \
+         COLOUR"
   | ( ("light" | "shape" | "setting" | "own_surface" | "modifier" | "inclusion"),
       word :: rest ) ->
       Option.bind (Keyword.of_symbol word) (fun keyword ->

@@ -201,6 +201,12 @@ let surfaces : t list =
         ("surface", "the second surface of the checker: checker SIZE SURFACE \
                      SURFACE") ]
       "cubes of two surfaces in turn";
+    row "varying" VARYING "VARYING"
+      [ ("name", "a name for the point after varying:\n\
+                  varying NAME SURFACE");
+        ("surface", "the surface after the name of the point: varying NAME \
+                     SURFACE") ]
+      "a surface that is a function of the point";
   ]
 [@@ocamlformat "disable"]
 

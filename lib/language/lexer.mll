@@ -99,7 +99,7 @@ let structural state lexbuf (token : Parser.token) =
   let after_else = state.after_else in
   state.after_else <- false;
   (match token with
-  | LET -> state.after <- Binder
+  | LET | VARYING -> state.after <- Binder
   | INCLUDE -> state.after <- File_name
   | FOR -> open_block state lexbuf; state.after <- Binder
   | IF -> if not after_else then open_block state lexbuf

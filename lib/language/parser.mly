@@ -31,7 +31,9 @@ let placed thing modifiers loc =
 let setting word loc change =
   Syntax.Setting { word; word_span = span loc; change }
 
-let plain finish loc = { Syntax.finish = Plain finish; span = span loc }
+let plain word written loc =
+  { Syntax.finish = Plain { word; written }; span = span loc }
+
 let modifier change loc = { Syntax.change = Some change; span = span loc }
 %}
 
@@ -54,7 +56,7 @@ let modifier change loc = { Syntax.change = Some change; span = span loc }
 %token TORUS "torus" DISC "disc" TRIANGLE "triangle" QUAD "quad"
 %token UNION "union" INTERSECTION "intersection" DIFFERENCE "difference"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
-%token MIXED "mixed" CHECKER "checker"
+%token MIXED "mixed" CHECKER "checker" VARYING "varying"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
 %token TRANSLATED "translated" SHADOWLESS "shadowless"
 %token LET "let" FOR "for" IF "if" ELSE "else" END "end" TO "to" BY "by"
@@ -111,6 +113,9 @@ setting:
   | "fov" n = atom { setting "fov" $loc($1) (Settings.fov n) }
   | "raydepth" n = atom { setting "raydepth" $loc($1) (Settings.raydepth n) }
   | "bcolor" c = color { setting "bcolor" $loc($1) (Settings.bcolor c) }
+  | "bcolor" "varying" name = NAME c = color
+      { setting "bcolor" $loc($1)
+          (Settings.bcolor_varying (name, span $loc(name)) c) }
   | "samples" n = atom { setting "samples" $loc($1) (Settings.samples n) }
   | "exposure" n = atom { setting "exposure" $loc($1) (Settings.exposure n) }
   | "srgb" { setting "srgb" $loc($1) Settings.srgb }
@@ -283,13 +288,17 @@ surface:
   | "(" e = expr ")" { { Syntax.finish = Chosen e; span = span $loc } }
 
 own_surface:
-  | "diffusive" c = color { plain (Finishes.diffusive c) $loc($1) }
-  | "reflective" { plain Finishes.reflective $loc($1) }
-  | "luminous" c = color { plain (Finishes.luminous c) $loc($1) }
+  | "diffusive" c = color { plain "diffusive" (Finishes.diffusive c) $loc($1) }
+  | "reflective" { plain "reflective" Finishes.reflective $loc($1) }
+  | "luminous" c = color { plain "luminous" (Finishes.luminous c) $loc($1) }
   | "mixed" parts = parts
       { { Syntax.finish = Mixed parts; span = span $loc($1) } }
   | "checker" size = atom even = surface odd = surface
       { { Syntax.finish = Checker (size, even, odd);
+          span = span $loc($1) } }
+  | "varying" name = NAME body = surface
+      { { Syntax.finish =
+            Varying { name; name_span = span $loc(name); body };
           span = span $loc($1) } }
 
 parts:

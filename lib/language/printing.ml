@@ -63,22 +63,56 @@ let print_bare name_of ppf (o : Object.t) =
 
    The names are known in a block of the object's own. *)
 
-let names_of (o : Object.t) =
-  List.concat_map Surface.parts_to_name (Object.surfaces o)
-  |> List.mapi (fun k part -> (part, Printf.sprintf "surface_%d" (k + 1)))
+let pattern_of : Surface.t -> Surface.t Raylab_expression.Closed.t option =
+  function
+  | Varying { pattern; _ } when pattern.definitions <> [] -> Some pattern
+  | _ -> None
 
+let names_of (o : Object.t) =
+  let parts = List.concat_map Surface.parts_to_name (Object.surfaces o) in
+  let taken =
+    List.concat_map Pattern_text.names (List.filter_map pattern_of parts)
+  in
+  (* longer than any name that begins so *)
+  let rec prefix word =
+    let starts name = String.starts_with ~prefix:word name in
+    if List.exists starts taken then prefix (word ^ "_") else word
+  in
+  let prefix = prefix "surface_" in
+  List.mapi (fun k part -> (part, prefix ^ string_of_int (k + 1))) parts
+
+let begin_block ppf = Format.fprintf ppf "if (true)@\n"
+
+(* A pattern has a block of its own around all that follows: what another one
+   calls so as well may be something else. *)
 let print_definition name_of ppf (part, name) =
+  Option.iter
+    (fun pattern ->
+      begin_block ppf;
+      Pattern_text.definitions ~name_of ppf pattern)
+    (pattern_of part);
   Format.fprintf ppf "let %s = %a@\n" name
-    (Surface.pp_with ~name_of print_number)
+    (Surface.pp_form_with ~name_of print_number)
     part
 
 let print_object comment ppf (o : Object.t) =
   let names = names_of o in
   let name_of part = List.assq_opt part names in
-  if names <> [] then Format.fprintf ppf "if (true)@\n";
+  let is_plain (part, _) = pattern_of part = None in
+  let blocks = List.filter (fun named -> not (is_plain named)) names in
+  let around = if List.exists is_plain names then 1 else 0 in
+  if around = 1 then begin_block ppf;
   List.iter (print_definition name_of ppf) names;
   Format.fprintf ppf "%a%s@\n" (print_bare name_of) o (comment o.origin);
-  if names <> [] then Format.fprintf ppf "end@\n"
+  for _ = 1 to around + List.length blocks do
+    Format.fprintf ppf "end@\n"
+  done
+
+let print_background ppf : Background.t -> unit = function
+  | Plain c -> Format.fprintf ppf "bcolor %s@\n" (color c)
+  | Varying { pattern; _ } as background ->
+      Pattern_text.definitions ~name_of:(fun _ -> None) ppf pattern;
+      Format.fprintf ppf "bcolor %a@\n" Background.pp background
 
 let print_viewpoint ppf { Viewpoint.eye; look_at; up; _ } =
   Format.fprintf ppf "eye %s@\nlookAt %s@\nup %s@\n" (vector eye)
@@ -100,7 +134,7 @@ let print_camera ppf (camera : Camera.t) =
 (* [comment] says more of what stands in a line, by its origin *)
 let print_with comment ppf (scene : Scene.t) =
   print_camera ppf scene.camera;
-  Format.fprintf ppf "bcolor %s@\n" (color scene.background);
+  print_background ppf scene.background;
   Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
   print_lens ppf scene.lens;
   print_film ppf scene.film;

@@ -49,7 +49,10 @@ let read_all ?time access sources =
     in
     let scene =
       match Result.bind syntax (Evaluate.scene ?time sources) with
-      | Ok scene -> Ok scene
+      | Ok scene -> (
+          match Check_patterns.errors sources scene with
+          | [] -> Ok scene
+          | errors -> Error errors)
       | Error errors ->
           let foreign = Option.map (fun e -> [ e ]) (foreign sources) in
           Error (Option.value foreign ~default:errors)

@@ -37,10 +37,11 @@ let of_objects objects =
   in
   List.rev (snd (List.fold_left add_object (1, []) objects))
 
-let of_background color =
-  if looks_so color then
-    [ { name = "the background"; color; origin = Unknown } ]
-  else []
+let of_background background =
+  Background.colors background
+  |> List.filter looks_so
+  |> List.map (fun color ->
+         { name = "the background"; color; origin = Origin.Unknown })
 
 let warnings ~background lights objects =
   of_background background

@@ -4,7 +4,7 @@ type t = {
   camera : Camera.t;
   lens : Lens.t;
   film : Film.t;
-  background : Color.t;
+  background : Background.t;
   ray_depth : int;
   lights : Light.t list;
   objects : Object.t list;
@@ -13,7 +13,6 @@ type t = {
 
 let default_ray_depth = 4
 let max_ray_depth = 1_000_000
-let require_background = Color.require "the background"
 
 let require_ray_depth ray_depth =
   if ray_depth < 0 || ray_depth > max_ray_depth then
@@ -24,7 +23,7 @@ let require_ray_depth ray_depth =
 let make ?(lens = Lens.pinhole) ?(film = Film.default)
     ?(background = Color.black) ?(ray_depth = default_ray_depth) ?(lights = [])
     ?(objects = []) ?(files = Files.none) camera =
-  require_background background;
+  let background = Background.plain background in
   require_ray_depth ray_depth;
   { camera; lens; film; background; ray_depth; lights; objects; files }
 
@@ -32,10 +31,8 @@ let provenance scene = Provenance.make scene.files
 let with_camera camera scene = { scene with camera }
 let with_lens lens scene = { scene with lens }
 let with_film film scene = { scene with film }
-
-let with_background background scene =
-  require_background background;
-  { scene with background }
+let with_sky background scene = { scene with background }
+let with_background color = with_sky (Background.plain color)
 
 let with_ray_depth ray_depth scene =
   require_ray_depth ray_depth;
@@ -47,10 +44,10 @@ let without_places scene = { scene with files = Files.none }
 
 let greyscale scene =
   let grey c = Grey.to_color (Grey.of_color c) in
-  let grey_object = Object.map_surfaces (Surface.map_colors grey) in
+  let grey_object = Object.map_surfaces Surface.greyscale in
   {
     scene with
-    background = grey scene.background;
+    background = Background.greyscale scene.background;
     lights = List.map (Light.map_color grey) scene.lights;
     objects = List.map grey_object scene.objects;
   }
@@ -95,7 +92,7 @@ let warnings scene =
 let equal a b =
   Camera.equal a.camera b.camera
   && Lens.equal a.lens b.lens && Film.equal a.film b.film
-  && Color.equal a.background b.background
+  && Background.equal a.background b.background
   && a.ray_depth = b.ray_depth
   && List.equal Light.equal a.lights b.lights
   && List.equal Object.equal a.objects b.objects
@@ -108,8 +105,8 @@ let pp ppf scene =
   if Lens.is_open scene.lens then Format.fprintf ppf "@,%a" Lens.pp scene.lens;
   if not (Film.equal scene.film Film.default) then
     Format.fprintf ppf "@,%a" Film.pp scene.film;
-  Format.fprintf ppf "@,background %a, ray depth %d" Color.pp scene.background
-    scene.ray_depth;
+  Format.fprintf ppf "@,background %a, ray depth %d" Background.pp
+    scene.background scene.ray_depth;
   List.iteri
     (fun i light -> Format.fprintf ppf "@,light %d: %a" (i + 1) Light.pp light)
     scene.lights;

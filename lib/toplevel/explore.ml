@@ -28,8 +28,9 @@ let building =
   {|
 Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
 sphere, plane, box, cylinder, cone, torus, disc, triangle, quad, diffusive,
-reflective, luminous, mixed and checker, as in a scene file; put together by
-union, intersection and difference; random, noise and turbulence are numbers:
+reflective, luminous, mixed and checker, as in a scene file, varying "p ...";
+put together by union, intersection and difference; random, noise and
+turbulence are numbers:
 
 use (Scene.make camera
        ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]

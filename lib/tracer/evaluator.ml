@@ -65,19 +65,18 @@ let rec trace t left =
     let { Surfaces.lobes; rows; _ } = t.surfaces in
     let row = rows.(t.meeting.number) in
     if row >= 0 then shade t left lobes row else shade_part t left)
-  else
-    let { Color.r; g; b } = t.prepared.scene.background in
-    Raw_color.set t.color r g b;
-    tell_background t left
+  else (
+    Background.read t.background t.ray t.color;
+    tell_background t left)
 
 (* The same for a ray that hits a surface that varies, or one of many. *)
 and shade_part t left =
   let { Meeting.number; part; _ } = t.meeting in
   let row = Prepared.row t.prepared ~number ~part in
   if row >= 0 then shade t left t.surfaces.lobes row
-  else if row = Surfaces.varies then (
+  else if row = Surfaces.varies || Surfaces.is_patterned row then (
     let surface = Prepared.surface t.prepared ~number ~part in
-    Surface.write surface t.spot t.lobes;
+    Surface.write (machines t row) surface t.spot t.lobes;
     shade t left t.lobes.core 0)
   else shade t left (Surfaces.rich t.surfaces row).core 0
 
@@ -134,12 +133,15 @@ let evaluate t =
 
 let color t r =
   load t r;
-  evaluate t
+  try evaluate t
+  with Pattern.Failed failure -> Unpainted.raise_ t.prepared failure
 
 let sample t ~x ~y k =
   t.tally.primary <- t.tally.primary + 1;
   Sample_ray.aim t.prepared.scene t.prepared.centres ~x ~y k t.ray;
-  evaluate t
+  try evaluate t
+  with Pattern.Failed failure ->
+    Unpainted.raise_ t.prepared ~pixel:(x, y) failure
 
 let nearest_hit t r =
   load t r;

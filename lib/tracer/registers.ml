@@ -13,6 +13,8 @@ type t = {
   meeting : Meeting.t;
   spot : Spot.t;
   lobes : Raw_lobes.t;
+  machines : Surface.machines option array;
+  background : Background.reader;
   incidence : Light.incidence;
   light : Raw_color.t;
   color : Raw_color.t;
@@ -35,10 +37,23 @@ let create ?observe (prepared : Prepared.t) =
     meeting = Meeting.create ();
     spot = Spot.create ();
     lobes = Raw_lobes.create ();
+    machines = Array.make (Array.length prepared.surfaces.patterned) None;
+    background = Background.reader prepared.scene.background;
     incidence = Light.create_incidence ();
     light = Raw_color.create ();
     color = Raw_color.create ();
   }
+
+let machines t row =
+  if not (Surfaces.is_patterned row) then Surface.no_machines
+  else
+    let k = Surfaces.pattern row in
+    match t.machines.(k) with
+    | Some machines -> machines
+    | None ->
+        let machines = Surface.start t.surfaces.patterned.(k) in
+        t.machines.(k) <- Some machines;
+        machines
 
 let load t (r : Ray.t) =
   let r = (r :> Raw_ray.t) in

@@ -20,6 +20,9 @@ type t = {
   meeting : Meeting.t;  (** what one of the two meets *)
   spot : Spot.t;  (** where the ray of the chain does *)
   lobes : Raw_lobes.t;  (** what a surface that varies denotes there *)
+  machines : Surface.machines option array;
+      (** those of [surfaces.patterned], once they are needed *)
+  background : Background.reader;
   incidence : Light.incidence;  (** how one light meets it *)
   light : Raw_color.t;  (** what all lights give *)
   color : Raw_color.t;  (** what the ray brings *)
@@ -28,6 +31,10 @@ type t = {
 
 val create : ?observe:(Event.t -> unit) -> Prepared.t -> t
 (** [create prepared] is new registers for this scene. *)
+
+val machines : t -> int -> Surface.machines
+(** [machines t row] is the machines of the surface with this row, which
+    varies. *)
 
 val load : t -> Ray.t -> unit
 (** [load t ray] puts [ray] into its register. *)

@@ -26,7 +26,8 @@ An error names the place, shows it, and says what to write instead.
   broken.scene:2:16-21: error: unknown surface 'difuse'
       2 | sphere 0 0 6 1 difuse red
         |                ^^^^^^
-  expected a surface: diffusive, reflective, luminous, mixed or checker. Did you mean 'diffusive'?
+  expected a surface: diffusive, reflective, luminous, mixed, checker or
+  varying. Did you mean 'diffusive'?
 
 Warnings leave the scene as good as it was.
 

@@ -19,7 +19,7 @@
             "line": 2,
             "columns": [ 17, 24 ],
             "message": "unknown surface 'difusive'",
-            "remedy": "expected a surface: diffusive, reflective, luminous, mixed or checker. Did you mean 'diffusive'?"
+            "remedy": "expected a surface: diffusive, reflective, luminous, mixed, checker or\nvarying. Did you mean 'diffusive'?"
           }
         ]
       },

@@ -109,8 +109,13 @@ and term json : Explain.term =
 and hit json : Explain.surface_hit =
   let number, object_, place = object_ (member "object" json) in
   let primitive_names, primitive = primitive json object_ in
+  let here =
+    match json with
+    | `Assoc members when List.mem_assoc "here" members -> [ "here" ]
+    | _ -> []
+  in
   let names =
-    ("object" :: primitive_names)
+    (("object" :: primitive_names) @ here)
     @ [ "t"; "point"; "normal"; "outside"; "part"; "own_point" ]
     @ [ "offset"; "emission"; "albedo"; "mirror"; "lights" ]
   in

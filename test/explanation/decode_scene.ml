@@ -61,6 +61,15 @@ let kind json = text (member "kind" json)
 
 (* {1 Scenes} *)
 
+let read_words words =
+  let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
+  let source =
+    Sources.make ~name:"JSON" (String.concat "\n" (header :: words))
+  in
+  match Scene_file.parse source with
+  | Ok { objects = [ o ]; _ } -> o
+  | _ -> wrong (String.concat " " words)
+
 (* [written json] is the words of the scene language for a shape or surface: its
    kind, and its parts in their order. *)
 let rec written : Yojson.Safe.t -> string list = function
@@ -83,7 +92,27 @@ let rec surface json : Surface.t =
         (float (member "size" json))
         (surface (member "even" json))
         (surface (member "odd" json))
+  | "varying" -> varying json
   | other -> wrong other
+
+(* What its names are, as the language defines them. *)
+and varying json =
+  let definition json =
+    let name = text (member "name" json) in
+    match json with
+    | `Assoc members when List.mem_assoc "function" members ->
+        "let " ^ text (member "function" json)
+    | _ -> Printf.sprintf "let %s = %s" name (value (member "value" json))
+  in
+  let definitions = list definition (member "where" json) in
+  let o =
+    read_words (definitions @ [ "sphere 0 0 0 1"; text (member "text" json) ])
+  in
+  o.surface
+
+and value : Yojson.Safe.t -> string = function
+  | `List items -> "[" ^ String.concat ", " (List.map value items) ^ "]"
+  | number -> Number.to_exact_string (float number)
 
 let exact ppf x = Format.pp_print_string ppf (Number.to_exact_string x)
 
@@ -98,20 +127,51 @@ let written_surface definitions json =
   List.iter name (Surface.parts_to_name surface);
   Format.asprintf "%a" (Surface.pp_with ~name_of exact) surface
 
+(* Each pattern in a block of its own, for the names in it. *)
 let read definitions words =
-  let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
   let name_of part = List.assq_opt part definitions in
+  let pp_names ppf : Surface.t -> unit = function
+    | Varying { pattern; _ } -> Pattern_text.definitions ~name_of ppf pattern
+    | _ -> ()
+  in
   let definition (part, name) =
-    Format.asprintf "let %s = %a" name (Surface.pp_with ~name_of exact) part
+    Format.asprintf "if (true) %alet %s = %a" pp_names part name
+      (Surface.pp_form_with ~name_of exact)
+      part
   in
-  let definitions = List.rev_map definition definitions in
-  let source =
-    Sources.make ~name:"JSON"
-      (String.concat " " ((header :: definitions) @ words))
-  in
-  match Scene_file.parse source with
-  | Ok { objects = [ o ]; _ } -> o
-  | _ -> wrong (String.concat " " words)
+  let ends = List.map (fun _ -> "end") definitions in
+  read_words (List.rev_map definition definitions @ words @ ends)
+
+(* The same without the places of expressions. *)
+let rec bare : Surface.t -> Surface.t = function
+  | Mixed { parts; _ } ->
+      Surface.tinted (List.map (fun (weight, s) -> (weight, bare s)) parts)
+  | Checker { size; even; odd; _ } ->
+      Surface.checker size (bare even) (bare odd)
+  | Varying { pattern; _ } ->
+      let expression = Raylab_expression.Names.without_places in
+      let parameter (p : Raylab_expression.Expression.parameter) =
+        { p with span = { start = 0; stop = 0 } }
+      in
+      let definition : _ Raylab_expression.Closed.definition -> _ = function
+        | Defined { parameters; body } ->
+            Raylab_expression.Closed.Defined
+              {
+                parameters = List.map parameter parameters;
+                body = expression body;
+              }
+        | Value _ as value -> value
+      in
+      Surface.varying
+        {
+          pattern with
+          body = expression pattern.body;
+          definitions =
+            List.map
+              (fun (name, d) -> (name, definition d))
+              pattern.definitions;
+        }
+  | simple -> simple
 
 let place_members : Yojson.Safe.t -> string list = function
   | `Assoc found when List.mem_assoc "file" found -> [ "line"; "file" ]
@@ -174,6 +234,7 @@ let object_ json =
   in
   let words = List.concat_map words parts in
   let o = read !definitions (words @ shadowless) in
+  let o = Object.map_surfaces bare o in
   let origin = origin json in
   ( int (get "number"),
     Object.with_origin origin (unplaced o),

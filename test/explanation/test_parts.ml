@@ -1,3 +1,4 @@
+open Raylab_geometry
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -48,7 +49,8 @@ let rec adds_up background (e : Explain.t) =
   | Missed | Chain_ended ->
       (e.outcome = Missed || e.left = 0)
       && sources e = [ "background" ]
-      && is_same e.color background
+      && is_same e.color
+           (Background.at background (Ray.direction e.ray :> Vec3.t))
   | Hit h ->
       sources e = [ "emitted"; "diffused"; "mirrored" ]
       && List.for_all (term_is_right h) e.terms

@@ -98,7 +98,7 @@ let test_checker () =
   check "moved"
     "\n  the checker is white at (0.5, 0, 4) in its own coordinates\n" checker
     [ Translated (v (-0.5) 0. 0.) ];
-  check "in a mix" "\n  the mix is a 50 % mirror at (0, 0, 4)\n"
+  check "in a mix" "\n  which is mixed 0.5 reflective at (0, 0, 4)\n"
     (Surface.mixed [ (0.5, checker) ])
     [];
   check "which it is" "a white plane (object 1), with no light" checker

@@ -84,8 +84,8 @@ So do all others.
    broken.scene:1:26-31: error: unknown surface 'difuse'
        1 | imWidth 5 sphere 0 0 2 1 difuse white
          |                          ^^^^^^
-   expected a surface: diffusive, reflective, luminous, mixed or checker. Did you
-   mean 'diffusive'?
+   expected a surface: diffusive, reflective, luminous, mixed, checker or
+   varying. Did you mean 'diffusive'?
 
 A pixel is explained as "raylab explain" does it, by the rendering itself.
 
@@ -140,8 +140,9 @@ Words
   
   Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
   sphere, plane, box, cylinder, cone, torus, disc, triangle, quad, diffusive,
-  reflective, luminous, mixed and checker, as in a scene file; put together by
-  union, intersection and difference; random, noise and turbulence are numbers:
+  reflective, luminous, mixed and checker, as in a scene file, varying "p ...";
+  put together by union, intersection and difference; random, noise and
+  turbulence are numbers:
   
   use (Scene.make camera
          ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]
@@ -228,7 +229,8 @@ the scene as it was.
   broken.scene:1:26-31: error: unknown surface 'difuse'
       1 | imWidth 5 sphere 0 0 2 1 difuse white
         |                          ^^^^^^
-  expected a surface: diffusive, reflective, luminous, mixed or checker. Did you mean 'diffusive'?
+  expected a surface: diffusive, reflective, luminous, mixed, checker or
+  varying. Did you mean 'diffusive'?
   - : unit = ()
   - : Camera.t = 5 x 5 pixels through a canvas of 4 x 4 from (0, 0, -4)
   $ say 'load "missing.scene";; (scene ()).camera' 2>&1
@@ -405,7 +407,8 @@ error.
   broken.scene:1:26-31: error: unknown surface 'difuse'
       1 | imWidth 5 sphere 0 0 2 1 difuse white
         |                          ^^^^^^
-  expected a surface: diffusive, reflective, luminous, mixed or checker. Did you mean 'diffusive'?
+  expected a surface: diffusive, reflective, luminous, mixed, checker or
+  varying. Did you mean 'diffusive'?
   [1]
   $ raylab repl - script.ml < three.scene
   3
@@ -436,7 +439,8 @@ A scene in error is reported, and the scene is empty.
   broken.scene:1:26-31: error: unknown surface 'difuse'
       1 | imWidth 5 sphere 0 0 2 1 difuse white
         |                          ^^^^^^
-  expected a surface: diffusive, reflective, luminous, mixed or checker. Did you mean 'diffusive'?
+  expected a surface: diffusive, reflective, luminous, mixed, checker or
+  varying. Did you mean 'diffusive'?
   - : Scene.t =
   scene of 640 x 480 pixels, canvas 4 x 3, depth 4
   background rgb 0 0 0, ray depth 4

@@ -126,8 +126,8 @@ was typed the last time.
   broken.scene:5:22-27: error: unknown surface 'difuse'
       5 | sphere 0 0 2  1      difuse white
         |                      ^^^^^^
-  expected a surface: diffusive, reflective, luminous, mixed or checker. Did you m
-  ean 'diffusive'?
+  expected a surface: diffusive, reflective, luminous, mixed, checker or
+  varying. Did you mean 'diffusive'?
   help () lists what raylab knows; Ctrl-D leaves.
   raylab #
   $ tmux send-keys Up Up Enter

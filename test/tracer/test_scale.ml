@@ -36,11 +36,11 @@ let scale_camera k (camera : Camera.t) =
       |> Camera.with_viewpoint viewpoint
 
 let scale k (scene : Scene.t) =
-  Scene.make ~film:scene.film ~background:scene.background
-    ~ray_depth:scene.ray_depth
+  Scene.make ~film:scene.film ~ray_depth:scene.ray_depth
     ~lights:(List.map (scale_light k) scene.lights)
     ~objects:(List.map (scale_object k) scene.objects)
     (scale_camera k scene.camera)
+  |> Scene.with_sky scene.background
 
 (* Rounding differs, so a level may. *)
 let same_picture a b =

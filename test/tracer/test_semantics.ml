@@ -3,6 +3,7 @@
    function that the tracer computes with. *)
 
 open Raylab_geometry
+open Raylab_expression
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -404,9 +405,81 @@ let rec own (shape : Shape.t) p =
       own shape (undone undo_point modifiers p)
   | _ -> p
 
+(* What an expression is; [names] has the values of all names. Of those that
+   are made here. *)
+type value =
+  | Is_number of float
+  | Is_vector of Vec3.t
+  | Is_function of Expression.parameter list * Expression.t
+
+let rec value names (e : Expression.t) =
+  let number e =
+    match value names e with Is_number x -> x | _ -> invalid_arg "no number"
+  in
+  match e.desc with
+  | Number x -> Is_number x
+  | Name name -> List.assoc name names
+  | Triple (x, y, z) | List [ x; y; z ] ->
+      Is_vector (Vec3.make (number x) (number y) (number z))
+  | Part (e, letter) -> (
+      match (value names e, letter) with
+      | Is_vector v, 'x' -> Is_number v.x
+      | Is_vector v, 'y' -> Is_number v.y
+      | Is_vector v, _ -> Is_number v.z
+      | _ -> invalid_arg "no vector")
+  | Binary (Add, a, b) -> Is_number (number a +. number b)
+  | If ({ desc = Binary (Greater, a, b); _ }, yes, no) ->
+      value names (if number a > number b then yes else no)
+  | Call { name; arguments = [ { value = argument; _ } ]; _ } -> (
+      match List.assoc name names with
+      | Is_function ([ { name; _ } ], body) ->
+          value ((name, value names argument) :: names) body
+      | _ -> invalid_arg "no function")
+  | _ -> invalid_arg "not made here"
+
+let names_at { Closed.name; definitions; _ } q =
+  let define (name, definition) =
+    match (definition : _ Closed.definition) with
+    | Value (Number x) -> (name, Is_number x)
+    | Defined { parameters; body } -> (name, Is_function (parameters, body))
+    | Value _ -> invalid_arg "not made here"
+  in
+  (name, Is_vector q) :: List.map define definitions
+
+let color_of names e =
+  match value names e with
+  | Is_vector { x; y; z } -> Color.make x y z
+  | _ -> invalid_arg "no colour"
+
+let number_of names e =
+  match value names e with Is_number x -> x | _ -> invalid_arg "no number"
+
+(* The surface that a word is with what its names are. *)
+let rec made names (e : Expression.t) =
+  match e.desc with
+  | Word { word = "diffusive"; arguments = [ (_, c) ] } ->
+      Surface.diffusive (color_of names c)
+  | Word { word = "luminous"; arguments = [ (_, c) ] } ->
+      Surface.luminous (color_of names c)
+  | Word { word = "reflective"; _ } -> Surface.reflective
+  | Word { word = "mixed"; arguments = [ (_, w); (_, s); (_, w'); (_, s') ] }
+    ->
+      let part w s = (number_of names w, made names s) in
+      Surface.mixed [ part w s; part w' s' ]
+  | Word { word = "checker"; arguments = [ (_, size); (_, s); (_, s') ] } ->
+      Surface.checker (number_of names size) (made names s) (made names s')
+  | _ -> invalid_arg "not made here"
+
+let sky (scene : Scene.t) d =
+  match scene.background with
+  | Plain c -> c
+  | Varying { pattern; _ } -> color_of (names_at pattern d) pattern.body
+
 (* E, A and M, at the own point q. *)
 let rec denotes (surface : Surface.t) (q : Vec3.t) =
   match surface with
+  | Varying { pattern; _ } ->
+      denotes (made (names_at pattern q) pattern.body) q
   | Diffusive c -> (Color.black, c, Color.black)
   | Reflective -> (Color.black, Color.black, Color.white)
   | Luminous c -> (c, Color.black, Color.black)
@@ -456,7 +529,7 @@ let light scene p n e =
 
 let rec trace (scene : Scene.t) left ray =
   match if left = 0 then None else nearest scene ray with
-  | None -> scene.background
+  | None -> sky scene ray.d
   | Some { t; shape; surface; sign } ->
       let p = at ray t in
       let n = facing ray (sign * outward shape p)
