@@ -83,6 +83,9 @@ let run action =
     | exception Out_of_memory -> failed "out of memory"
     | exception Raylab_tracer.Chain.Too_long { ray_depth } ->
         failed (Raylab_tracer.Chain.too_long ~ray_depth)
+    | exception Raylab_tracer.Unpainted.Found lines ->
+        List.iter (say "%s") lines;
+        Exit_code.scene_error
     | exception Stack_overflow -> failed "out of memory for the stack"
     | exception failure ->
         failed ("an error of raylab itself: " ^ Printexc.to_string failure)

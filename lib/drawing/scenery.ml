@@ -5,6 +5,7 @@ let pf = Printf.sprintf
 
 (* A mirror has no colour of its own. *)
 let mirror_color = Color.make (205. /. 255.) (218. /. 255.) (228. /. 255.)
+let unknown = Drawing.Seen (Color.make 0.5 0.5 0.5)
 
 (* Nor has glass much: its tint, on something pale. *)
 let glass_color { Lobes.plain; glass; _ } =
@@ -12,10 +13,12 @@ let glass_color { Lobes.plain; glass; _ } =
   let pale c = 0.55 +. (0.4 *. Float.min 1. c) in
   Color.make (pale r) (pale g) (pale b)
 
-let fill (o : Object.t) =
-  let { Lobes.emission; albedo; mirror; refractions; _ } =
-    Surface.lobes o.surface
-  in
+let rec fill (o : Object.t) =
+  match Surface.lobes o.surface with
+  | lobes -> fill_with lobes
+  | exception Pattern.Failed _ -> unknown
+
+and fill_with { Lobes.emission; albedo; mirror; refractions; _ } =
   let own = Saturate.color (Color.add emission albedo) in
   match refractions with
   | _ when not (Color.equal own Color.black) -> Drawing.Seen own

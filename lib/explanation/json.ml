@@ -53,9 +53,36 @@ let rec surface s : Yojson.Safe.t =
   let parts =
     match (s : Surface.t) with
     | Mixed { parts; _ } -> [ ("parts", `List (List.map weighted parts)) ]
+    | Checker { size; even; odd; _ } ->
+        [ ("size", number size); ("even", surface even); ("odd", surface odd) ]
+    | Varying { pattern; _ } ->
+        [
+          ("text", text (Format.asprintf "%a" Surface.pp s));
+          ("where", definitions pattern);
+        ]
     | simple -> List.map parameter (Surface.parameters simple)
   in
   `Assoc (("kind", text (Surface.name s)) :: parts)
+
+and definitions pattern : Yojson.Safe.t =
+  let definition (name, definition) =
+    let told : _ * Yojson.Safe.t =
+      match (definition : Surface.t Closed.definition) with
+      | Value v -> ("value", value v)
+      | Defined _ as d -> ("function", text (Pattern_text.definition (name, d)))
+    in
+    `Assoc [ ("name", text name); told ]
+  in
+  `List (List.map definition pattern.Closed.definitions)
+
+and value : Surface.t Closed.value -> Yojson.Safe.t = function
+  | Number x -> number x
+  | Truth truth -> `Bool truth
+  | Text words -> text words
+  | Vector v -> vector v
+  | List elements -> `List (List.map value (Array.to_list elements))
+  | Function name -> `Assoc [ ("function", text name) ]
+  | Thing s -> surface s
 
 (* {1 Where things come from} *)
 
@@ -236,10 +263,16 @@ let smoothed = function
   | None -> []
   | Some normal -> [ ("smoothed", direction normal) ]
 
+(* What a surface that varies is at the point. *)
+let here (h : Explain.surface_hit) =
+  let written = (Object.primitive h.object_ h.hit.primitive).surface in
+  if Surface.varies written then [ ("here", surface h.surface) ] else []
+
 let of_hit (h : Explain.surface_hit) : Yojson.Safe.t =
   `Assoc
     (("object", object_ h.hit.number h.object_ h.place)
      :: primitive h.primitive
+    @ here h
     @ [
         ("t", number h.hit.t);
         ("point", vector h.hit.point);

@@ -49,6 +49,8 @@ TERM  = { "source": "background", "emitted", "diffused", "shine",
 
 HIT   = { "object": OBJECT,
           "primitive": PRIMITIVE,         if that is a solid
+          "here": SURFACE,                if the surface varies: what it
+                                          is at the point
           "t": NUMBER, "point": VECTOR, "normal": VECTOR,
           "smoothed": VECTOR,             the normal by which light is
                                           reckoned, if that of a smooth
@@ -98,6 +100,15 @@ SURFACE = { "kind": WORD, PART: NUMBER or COLOR, ... }
        or { "kind": "mixed",
             "parts": [{ "weight": NUMBER or COLOR, "surface": SURFACE },
                       ...] }
+       or { "kind": "checker", "size": NUMBER,
+            "even": SURFACE,              where the sum of the floors of
+            "odd": SURFACE }              x, y and z over the size is so
+       or { "kind": "varying",
+            "text": STRING,               as the scene language writes it
+            "where": [{ "name": NAME, "value": DATUM } or
+                      { "name": NAME, "function": STRING }, ...] }
+                                          what the names in it are, and
+                                          functions as they are written
 
 WORD    = what the scene language calls it
 PART    = what it takes there, in that order, by name:
@@ -170,6 +181,9 @@ STEP    = { "call": NAME,                 in a call, written at LINE
                                           in a round of the loop at LINE
        or { "placed": NAME, LINE }        it was placed by this name
 
+DATUM   = NUMBER, BOOL, STRING, VECTOR or SURFACE
+       or [DATUM, ...]                    a list, in full
+       or { "function": NAME }            a function that has this name
 NAME    = STRING
 VALUE   = NUMBER, BOOL, STRING or VECTOR
        or { "count": INT, "first": [VALUE, ...] }

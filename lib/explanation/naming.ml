@@ -151,18 +151,28 @@ let names ?primitive number (o : Object.t) whence =
           number (place at) whole,
         Printf.sprintf "(%s) of %s" (name object_ number ^ place at) whole )
 
-let by_look ?primitive number (o : Object.t) surface whence =
+(* Words that go before the name of a shape, or stand for it. *)
+let look surface =
   let lobes = Surface.lobes surface in
   let paints = paints surface in
   let glows = not (Color.equal lobes.emission Color.black) in
-  let called, in_brackets = names ?primitive number o whence in
-  let with_shape look = look ^ " " ^ called
-  and without_shape look = look ^ " " ^ in_brackets in
   match (paints @ clear lobes, Color.largest lobes.mirror, glows) with
-  | [ { word; part = 1. } ], 0., false -> with_shape word
-  | [], 0., true -> with_shape (luminous lobes.emission)
-  | [], 0., false -> with_shape "black"
-  | [], part, false -> without_shape (mirror part)
-  | _ -> without_shape (mix surface paints lobes)
+  | [ { word; part = 1. } ], 0., false -> `Before word
+  | [], 0., true -> `Before (luminous lobes.emission)
+  | [], 0., false -> `Before "black"
+  | [], part, false -> `Instead (mirror part)
+  | _ -> `Instead (mix surface paints lobes)
+
+let by_look ?primitive number o surface whence =
+  let called, in_brackets = names ?primitive number o whence in
+  match look surface with
+  | `Before look -> look ^ " " ^ called
+  | `Instead look -> look ^ " " ^ in_brackets
+
+let here surface ~here =
+  let what =
+    match look here with `Before look -> look | `Instead look -> Words.a look
+  in
+  Printf.sprintf "the %s is %s" (Surface.name surface) what
 
 let background c = Color_word.of_color c ^ " background"

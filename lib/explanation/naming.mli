@@ -39,5 +39,9 @@ val by_look :
     words depend on what the surface denotes: it makes no difference how mixes
     nest, and what glows is not reckoned in parts. *)
 
+val here : Surface.t -> here:Surface.t -> string
+(** [here surface ~here] says that [surface], which varies, is [here] at some
+    point: [the checker is white], [the checker is a mirror]. *)
+
 val background : Color.t -> string
 (** [background c] is [blue background]. *)

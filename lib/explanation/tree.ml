@@ -99,6 +99,29 @@ let print_lights style ppf indent (h : Explain.surface_hit) ~ambient all =
 
 (* {1 Rays} *)
 
+(* What a surface that varies is at the point, which is that of the shape before
+   its modifiers. *)
+let print_here ppf indent { Explain.hit; surface = here; _ } surface =
+  let own ppf =
+    if not (Vec3.equal hit.point hit.own_point) then
+      text ppf " in its own coordinates"
+  in
+  let at_point sentence =
+    line ppf indent "%t@ at %a%t" sentence Vec3.pp hit.own_point own
+  in
+  let tell pattern =
+    match Pattern_text.told pattern with
+    | [] -> ()
+    | names -> line ppf indent "where %a" text (String.concat ", " names)
+  in
+  List.iter tell (Surface.patterns surface);
+  match (surface : Surface.t) with
+  | Checker _ -> at_point (fun ppf -> text ppf (Naming.here surface ~here))
+  | _ when Surface.varies surface ->
+      at_point (fun ppf ->
+          pf ppf "which is %a" text (Format.asprintf "%a" Surface.pp here))
+  | _ -> ()
+
 let print_hit ppf indent e (h : Explain.surface_hit) =
   let { Explain.hit; object_; primitive; place; lobes; _ } = h in
   let { Object.shape; surface; _ } = Object.primitive object_ hit.primitive in
@@ -107,6 +130,7 @@ let print_hit ppf indent e (h : Explain.surface_hit) =
     |> Naming.with_part shape hit.part)
     Number.pp hit.t Vec3.pp hit.point Hit.pp_normal hit;
   line ppf indent "surface: %a" text (Format.asprintf "%a" Surface.pp surface);
+  print_here ppf indent h surface;
   line ppf indent "that is, %a" Lobes.pp lobes;
   let say words = line ppf indent "%a" text words in
   List.iter say (Bending.of_hit e h)

@@ -62,3 +62,8 @@ let enter budget span =
       (Printf.sprintf "more than %s calls are nested" (grouped most_calls))
 
 let leave budget = budget.depth <- budget.depth - 1
+
+let restart budget =
+  budget.steps <- 0;
+  budget.made <- 0;
+  budget.depth <- 0

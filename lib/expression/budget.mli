@@ -57,3 +57,6 @@ val leave : t -> unit
 
 val grouped : int -> string
 (** [grouped 20000000] is ["20,000,000"]. *)
+
+val restart : t -> unit
+(** [restart budget] is [budget] with nothing used up. *)

@@ -8,7 +8,7 @@ let builtin (f : Builtin.t) =
       (List.map (fun label -> { Value.label; optional = false }) f.parameters)
   in
   let call run arguments = Operation.builtin run nowhere f arguments in
-  { Value.name = f.name; parameters; call }
+  { Value.name = f.name; parameters; call; source = Built_in }
 
 (* The arguments that are given, with the names of their parameters. *)
 let pair describe parameters arguments =
@@ -55,12 +55,12 @@ let of_value (frame : _ Frame.t) (e : Expression.t) name arguments = function
 
 let of_builtin (e : Expression.t) (f : Builtin.t) arguments =
   let { Value.parameters; _ } = builtin f in
-  let given =
-    lazy
-      (Arguments.arrange e.span ~name:f.name parameters arguments
-      |> Array.map Option.get)
-  in
-  fun (frame : _ Frame.t) ->
-    Budget.step frame.run.budget e.span;
-    let values = Array.map (fun code -> code frame) (Lazy.force given) in
-    Operation.builtin frame.run e.span f values
+  (* what is wrong with them is told where the call is evaluated *)
+  match Arguments.arrange e.span ~name:f.name parameters arguments with
+  | exception Fault.Found fault -> fun _ -> raise (Fault.Found fault)
+  | given ->
+      let given = Array.map Option.get given in
+      fun (frame : _ Frame.t) ->
+        Budget.step frame.run.budget e.span;
+        let values = Array.map (fun code -> code frame) given in
+        Operation.builtin frame.run e.span f values

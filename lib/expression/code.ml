@@ -48,6 +48,19 @@ let rec compile : 'thing. Scope.t -> Expression.t -> 'thing t =
       fun frame ->
         Frame.set binding frame (value frame);
         body frame
+  | Word { arguments; _ } ->
+      let argument (_, written) = compile scope written in
+      let arguments = Array.of_list (List.map argument arguments) in
+      fun frame ->
+        Budget.step frame.run.budget e.span;
+        let values = Array.map (fun code -> code frame) arguments in
+        frame.run.make frame.run e values
+  | Varying { name; name_span; body } ->
+      let inner, binding = Scope.bind scope name name_span in
+      let body = compile inner body in
+      fun frame ->
+        Frame.set binding frame (Vector frame.run.point);
+        body frame
 
 and number : 'thing. Scope.t -> Expression.t -> 'thing Frame.t -> float =
  fun scope e ->

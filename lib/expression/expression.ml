@@ -1,7 +1,8 @@
 open Raylab_geometry
 open Raylab_source
 
-type t = { desc : desc; span : Span.t }
+type parameter = { name : string; span : Span.t; default : t option }
+and t = { desc : desc; span : Span.t }
 
 and desc =
   | Number of float
@@ -18,7 +19,10 @@ and desc =
   | Binary of operator * t * t
   | If of t * t * t
   | Let of { name : string; name_span : Span.t; value : t; body : t }
+  | Word of { word : string; arguments : (position * t) list }
+  | Varying of { name : string; name_span : Span.t; body : t }
 
+and position = Number | Color | Weight | Surface
 and range = To of { first : t; last : t; step : t option } | In of t
 and argument = { label : (string * Span.t) option; value : t }
 
@@ -75,7 +79,7 @@ let operand_levels = function
 let level = function
   | Number x -> if x < 0. then negative else primary
   | Truth _ | Text _ | Name _ | Call _ | Triple _ | List _ | Series _ | Part _
-    ->
+  | Word _ | Varying _ ->
       primary
   | Negative _ -> negative
   | Not _ -> 3
@@ -119,6 +123,24 @@ and pp_desc ppf = function
       Format.fprintf ppf "if %a then %a else %a" pp condition pp a pp b
   | Let { name; value; body; _ } ->
       Format.fprintf ppf "let %s = %a in %a" name pp value pp body
+  | Word { word; arguments } ->
+      Format.pp_print_string ppf word;
+      List.iter (fun argument -> pp_bare ppf argument) arguments
+  | Varying { name; body; _ } ->
+      Format.fprintf ppf "varying %s%a" name pp_bare (Surface, body)
+
+(* After a blank, so that it is what may stand there. *)
+and pp_bare ppf (position, e) =
+  (* a name of what is built in is one only in brackets *)
+  match (position, e.desc) with
+  | _, (Number _ | Triple _ | List _ | Series _ | Word _ | Varying _)
+  | Surface, Name _ ->
+      Format.fprintf ppf " %a" pp_desc e.desc
+  | Surface, Call { name; _ }
+    when Builtin.find (String.lowercase_ascii name) = None ->
+      Format.fprintf ppf " %a" pp_desc e.desc
+  | Color, _ -> Format.fprintf ppf " [%a]" pp e
+  | (Number | Weight | Surface), _ -> Format.fprintf ppf " (%a)" pp e
 
 and pp_argument ppf ({ label; value } : argument) =
   Option.iter (fun (label, _) -> Format.fprintf ppf "%s: " label) label;

@@ -2,7 +2,10 @@
 
 open Raylab_source
 
-type t = { desc : desc; span : Span.t }
+type parameter = { name : string; span : Span.t; default : t option }
+(** The type for parameters of functions. *)
+
+and t = { desc : desc; span : Span.t }
 (** The type for expressions, each with its place. *)
 
 and desc =
@@ -23,6 +26,13 @@ and desc =
   | Binary of operator * t * t
   | If of t * t * t
   | Let of { name : string; name_span : Span.t; value : t; body : t }
+  | Word of { word : string; arguments : (position * t) list }
+      (** a surface, in a pattern: a word with what stands after it *)
+  | Varying of { name : string; name_span : Span.t; body : t }
+      (** a surface in a pattern, with the name of the point *)
+
+(** What stands somewhere without brackets around it. *)
+and position = Number | Color | Weight | Surface
 
 and range = To of { first : t; last : t; step : t option } | In of t
 and argument = { label : (string * Span.t) option; value : t }
@@ -52,6 +62,10 @@ val symbol : operator -> string
 val pp : Format.formatter -> t -> unit
 (** [pp] prints the expression on one line, with no more brackets than it
     needs. Read again it has the same parts. *)
+
+val pp_bare : Format.formatter -> position * t -> unit
+(** [pp_bare ppf (position, e)] prints a blank and then [e] as it stands where
+    such a thing is wanted. *)
 
 val to_string : t -> string
 (** [to_string e] is what {!pp} prints. *)

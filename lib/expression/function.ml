@@ -1,6 +1,6 @@
 open Raylab_source
 
-type parameter = {
+type parameter = Expression.parameter = {
   name : string;
   span : Span.t;
   default : Expression.t option;
@@ -14,7 +14,14 @@ let fill_in defaults (frame : _ Frame.t) =
       | _ -> ())
     defaults
 
-let compile scope ~name parameters body =
+(* What a name is where a function is defined. *)
+let around scope (outer : _ Frame.t) name =
+  Option.map
+    (fun (binding : Scope.binding) ->
+      Frame.read binding ~levels:(Scope.level scope - binding.level) outer)
+    (Scope.find scope name)
+
+let compile scope ~name ?written parameters body =
   let bind (inner, bound) { name; span; default } =
     (* a default sees the parameters before it *)
     let default = Option.map (Code.compile inner) default in
@@ -29,6 +36,7 @@ let compile scope ~name parameters body =
   let parameter { name; default; _ } =
     { Value.label = name; optional = Option.is_some default }
   in
+  let all = parameters in
   let parameters = Array.of_list (List.map parameter parameters) in
   fun outer ->
     let call run arguments =
@@ -38,4 +46,10 @@ let compile scope ~name parameters body =
       fill_in defaults frame;
       code frame
     in
-    Value.Function { name; parameters; call }
+    let source =
+      match written with
+      | Some body ->
+          Value.Written { parameters = all; body; around = around scope outer }
+      | None -> Unwritten
+    in
+    Value.Function { name; parameters; call; source }

@@ -14,14 +14,26 @@ and 'thing func = {
   name : string;
   parameters : parameter array;
   call : 'thing run -> 'thing t array -> 'thing t;
+  source : 'thing source;
 }
+
+and 'thing source =
+  | Built_in
+  | Written of {
+      parameters : Expression.parameter list;
+      body : Expression.t;
+      around : string -> 'thing t option;
+    }
+  | Unwritten
 
 and parameter = { label : string; optional : bool }
 
 and 'thing run = {
   budget : Budget.t;
   describe : 'thing -> string;
+  make : 'thing run -> Expression.t -> 'thing t array -> 'thing t;
   mutable trail : Trail.t;
+  mutable point : Vec3.t;
 }
 
 let list = function

@@ -23,17 +23,33 @@ and 'thing func = {
   call : 'thing run -> 'thing t array -> 'thing t;
       (** with an argument for each parameter, {!Undefined} where an optional
           one is not given *)
+  source : 'thing source;
 }
 (** The type for functions. *)
+
+(** What a function is made of, for patterns, which are data. *)
+and 'thing source =
+  | Built_in  (** its name is all that there is to say *)
+  | Written of {
+      parameters : Expression.parameter list;
+      body : Expression.t;
+      around : string -> 'thing t option;
+          (** what a name is where the function is defined; [None] if it is
+              built in *)
+    }
+  | Unwritten  (** what it makes is no value and no surface *)
 
 and parameter = { label : string; optional : bool }
 
 and 'thing run = {
   budget : Budget.t;
   describe : 'thing -> string;  (** the kind of a thing: ["a surface"] *)
+  make : 'thing run -> Expression.t -> 'thing t array -> 'thing t;
+      (** what the {!Expression.Word} makes of its arguments *)
   mutable trail : Trail.t;
       (** the calls and rounds that are going on; after a {!Fault}, those that
           led to it *)
+  mutable point : Vec3.t;  (** that of the {!Expression.Varying} *)
 }
 (** The type for evaluations that are going on, each in one domain. *)
 

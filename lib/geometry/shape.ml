@@ -145,6 +145,7 @@ let rec transformed ?(keep_own = false) change shape =
   | own, None when Change.modifiers change = [] -> own
   | Placed p, None -> placed (Placed.change change p)
   | Solid s, None -> Solid (Solid.map (transformed ~keep_own change) s)
+  | own, None when Change.modifiers change = [] -> own
   | own, None -> placed (Placed.make change own)
 
 (* {1 Solids} *)

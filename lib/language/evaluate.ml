@@ -4,7 +4,15 @@ open Raylab_expression
 let nowhere = { Span.start = 0; stop = 0 }
 
 let start findings budget time =
-  let run = { Value.budget; describe = Thing.describe; trail = Start } in
+  let run =
+    {
+      Value.budget;
+      describe = Thing.describe;
+      make = (fun _ _ _ -> invalid_arg "Evaluate: a surface in an expression");
+      trail = Start;
+      point = Raylab_geometry.Vec3.zero;
+    }
+  in
   let report span ~advice message =
     Findings.error findings span message ~advice
   in

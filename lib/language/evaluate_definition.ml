@@ -14,6 +14,12 @@ let value block check scope (value : Syntax.value) : Thing.t Code.t =
       in
       fun frame -> Thing (thing frame)
 
+(* What can be evaluated in a pattern. *)
+let as_expression : Syntax.value -> Expression.t option = function
+  | Expression e -> Some e
+  | Surface s -> Surface_expression.make s
+  | Thing _ -> None
+
 let compile block check scope definition =
   let { Syntax.name; name_span; parameters; value = written } = definition in
   let is_function = Option.is_some parameters in
@@ -24,7 +30,9 @@ let compile block check scope definition =
   let code =
     match parameters with
     | None -> value inner
-    | Some parameters -> Function.compile inner ~name parameters value
+    | Some parameters ->
+        Function.compile inner ~name ?written:(as_expression written)
+          parameters value
   in
   binding.is_defined <- true;
   ( inner,

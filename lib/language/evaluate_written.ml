@@ -113,6 +113,17 @@ let whole_number check scope ~least ~most name (e : Expression.t) =
             (Printf.sprintf "%s must be a whole number from %d to %d, not %s"
                name least most (shown check e x)))
 
+(* What is in it is made ready as well, so that what is wrong is told. *)
+let pattern check scope name name_span (e : Expression.t) =
+  let inner, _ = Scope.bind scope name name_span in
+  let (_ : Thing.t Code.t) = Code.compile inner e in
+  let none = { Closed.name; body = e; definitions = [] } in
+  fun frame ->
+    Check.attempt check frame none (fun () ->
+        Evaluate_pattern.make
+          ~thing:(fun _ -> None)
+          scope ~at:e.span name e frame)
+
 (* {1 What is written} *)
 
 let parameter : type a.
@@ -124,6 +135,7 @@ let parameter : type a.
   | Vector -> vector check scope name written
   | Direction -> direction check scope name written
   | Color -> color check scope name written
+  | Pattern { name; name_span } -> pattern check scope name name_span written
 
 (* All parameters are evaluated before anything is made of them. *)
 let rec parameters : type make made.

@@ -173,6 +173,14 @@ let rule whole before after =
 
 let of_item { Parser_state.whole; before; after } =
   match (whole, before) with
+  | "setting", [ "BCOLOR"; "VARYING" ] ->
+      expected "name"
+        "a name for the direction after bcolor varying:\n\
+         bcolor varying NAME COLOUR"
+  | "setting", [ "BCOLOR"; "VARYING"; _ ] ->
+      expected "colour"
+        "the colour after the name of the direction: bcolor varying NAME \
+         COLOUR"
   | ( ("light" | "shape" | "setting" | "own_surface" | "modifier" | "inclusion"),
       word :: rest ) ->
       Option.bind (Keyword.of_symbol word) (fun keyword ->

@@ -1,5 +1,6 @@
 open Raylab_source
 open Raylab_expression
+open Raylab_scene
 
 type t = {
   sources : Sources.t;
@@ -30,40 +31,6 @@ let error findings span ?advice message =
     findings.found <- (span, error) :: findings.found
   else if findings.first_untold = None then findings.first_untold <- Some span
 
-let place sources offset =
-  match Files.place (Sources.table sources) offset with
-  | None -> ""
-  | Some place -> Place.to_string place
-
-let step sources (trail : Trail.t) =
-  match trail with
-  | Start -> ""
-  | Call { name; arguments; at; _ } ->
-      let argument (label, value) =
-        Printf.sprintf "%s: %s" label (Datum.to_string value)
-      in
-      Printf.sprintf "in %s(%s), called in %s" name
-        (String.concat ", " (List.map argument arguments))
-        (place sources at)
-  | Round { loop = { name; at }; value; _ } ->
-      Printf.sprintf "with %s = %s, %s" name (Datum.to_string value)
-        (place sources at)
-
-let most_inner = 5
-let most_outer = 3
-
-(* Of a deep recursion both ends tell something. *)
-let steps sources trail =
-  let steps = Trail.apart trail ~from:Start in
-  let count = List.length steps in
-  let tell keep = List.map (step sources) (List.filteri keep steps) in
-  if count <= most_inner + most_outer then tell (fun _ _ -> true)
-  else
-    let between = count - most_inner - most_outer in
-    tell (fun k _ -> k < most_inner)
-    @ [ Printf.sprintf "and %d more between these and" between ]
-    @ tell (fun k _ -> k >= count - most_outer)
-
 let longest_message = 300
 
 (* Values may have any text in them, and be long. *)
@@ -77,7 +44,7 @@ let fault findings { Fault.span; message; advice; _ } trail =
   let place = (span, match trail with Trail.Start -> message | _ -> "") in
   if not (Hashtbl.mem findings.faults place) then (
     Hashtbl.add findings.faults place ();
-    let lines = steps findings.sources trail in
+    let lines = Steps.tell (Sources.table findings.sources) trail in
     let lines = if advice = "" then lines else lines @ [ advice ] in
     error findings span (told message)
       ~advice:(String.concat "\n" (List.map told lines)))

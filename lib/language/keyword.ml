@@ -235,6 +235,20 @@ let surfaces : t list =
       [ ("number", "the weight of the first part of the mix, a number or a \
                     colour in [ ]:\nmixed WEIGHT SURFACE WEIGHT SURFACE ...") ]
       "a sum of surfaces";
+    row "checker" CHECKER "CHECKER"
+      [ ("number", "the size of the cubes of the checker, such as 1:\n\
+                    checker SIZE SURFACE SURFACE");
+        ("surface", "the first surface of the checker: checker SIZE SURFACE \
+                     SURFACE");
+        ("surface", "the second surface of the checker: checker SIZE SURFACE \
+                     SURFACE") ]
+      "cubes of two surfaces in turn";
+    row "varying" VARYING "VARYING"
+      [ ("name", "a name for the point after varying:\n\
+                  varying NAME SURFACE");
+        ("surface", "the surface after the name of the point: varying NAME \
+                     SURFACE") ]
+      "a surface that is a function of the point";
   ]
 [@@ocamlformat "disable"]
 

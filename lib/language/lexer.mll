@@ -107,7 +107,7 @@ let structural state lexbuf (token : Parser.token) =
   let after_else = state.after_else in
   state.after_else <- false;
   (match token with
-  | LET -> state.after <- Binder
+  | LET | VARYING -> state.after <- Binder
   | INCLUDE -> state.after <- Included_name
   | MESH -> state.after <- Mesh_name
   | FOR -> open_block state lexbuf; state.after <- Binder

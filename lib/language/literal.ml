@@ -20,7 +20,7 @@ let parameter : type a. a Written.parameter -> a =
   | Color ->
       let { Vec3.x; y; z } = vector written in
       Color.make x y z
-  | Whole _ -> raise_notrace Computed
+  | Whole _ | Pattern _ -> raise_notrace Computed
 
 let rec apply : type make made. (make, made) Written.parameters -> make -> made
     =
@@ -39,12 +39,16 @@ let weight : Syntax.weight -> Color.t = function
 
 let rec surface nesting { Syntax.finish; _ } =
   match finish with
-  | Plain written -> build written
+  | Plain { written; _ } -> build written
   | Mixed _ when nesting = Surface.max_nesting -> raise_notrace Computed
   | Mixed parts ->
       let part (w, s) = (weight w, surface (nesting + 1) s) in
       Surface.tinted (List.map part parts)
-  | Chosen _ -> raise_notrace Computed
+  | Checker _ when nesting = Surface.max_nesting -> raise_notrace Computed
+  | Checker (size, even, odd) ->
+      let even = surface (nesting + 1) even in
+      Surface.checker (number size) even (surface (nesting + 1) odd)
+  | Varying _ | Chosen _ -> raise_notrace Computed
 
 let item (placed : Syntax.placed) =
   let build { Syntax.thing; modifiers; span } =

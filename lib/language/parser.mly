@@ -31,7 +31,9 @@ let placed thing modifiers loc =
 let setting word loc change =
   Syntax.Setting { word; word_span = span loc; change }
 
-let plain finish loc = { Syntax.finish = Plain finish; span = span loc }
+let plain word written loc =
+  { Syntax.finish = Plain { word; written }; span = span loc }
+
 let modifier what loc = { Syntax.what; span = span loc }
 let change written loc = modifier (Syntax.Change written) loc
 %}
@@ -59,7 +61,7 @@ let change written loc = modifier (Syntax.Change written) loc
 %token UNION "union" INTERSECTION "intersection" DIFFERENCE "difference"
 %token DIFFUSIVE "diffusive" REFLECTIVE "reflective" LUMINOUS "luminous"
 %token GLOSSY "glossy" REFRACTIVE "refractive" GLASS "glass"
-%token MIXED "mixed"
+%token MIXED "mixed" CHECKER "checker" VARYING "varying"
 %token SCALED "scaled" STRETCHED "stretched" ROTATED "rotated"
 %token TRANSLATED "translated" SHADOWLESS "shadowless"
 %token UNFADING "unfading"
@@ -117,6 +119,9 @@ setting:
   | "fov" n = atom { setting "fov" $loc($1) (Settings.fov n) }
   | "raydepth" n = atom { setting "raydepth" $loc($1) (Settings.raydepth n) }
   | "bcolor" c = color { setting "bcolor" $loc($1) (Settings.bcolor c) }
+  | "bcolor" "varying" name = NAME c = color
+      { setting "bcolor" $loc($1)
+          (Settings.bcolor_varying (name, span $loc(name)) c) }
   | "ambient" c = color { setting "ambient" $loc($1) (Settings.ambient c) }
   | "samples" n = atom { setting "samples" $loc($1) (Settings.samples n) }
   | "exposure" n = atom { setting "exposure" $loc($1) (Settings.exposure n) }
@@ -299,16 +304,23 @@ surface:
   | "(" e = expr ")" { { Syntax.finish = Chosen e; span = span $loc } }
 
 own_surface:
-  | "diffusive" c = color { plain (Finishes.diffusive c) $loc($1) }
-  | "reflective" { plain Finishes.reflective $loc($1) }
-  | "luminous" c = color { plain (Finishes.luminous c) $loc($1) }
+  | "diffusive" c = color { plain "diffusive" (Finishes.diffusive c) $loc($1) }
+  | "reflective" { plain "reflective" Finishes.reflective $loc($1) }
+  | "luminous" c = color { plain "luminous" (Finishes.luminous c) $loc($1) }
   | "glossy" sharpness = atom c = color
-      { plain (Finishes.glossy sharpness c) $loc($1) }
+      { plain "glossy" (Finishes.glossy sharpness c) $loc($1) }
   | "refractive" index = atom c = color
-      { plain (Finishes.refractive index c) $loc($1) }
-  | "glass" index = atom c = color { plain (Finishes.glass index c) $loc($1) }
+      { plain "refractive" (Finishes.refractive index c) $loc($1) }
+  | "glass" index = atom c = color { plain "glass" (Finishes.glass index c) $loc($1) }
   | "mixed" parts = parts
       { { Syntax.finish = Mixed parts; span = span $loc($1) } }
+  | "checker" size = atom even = surface odd = surface
+      { { Syntax.finish = Checker (size, even, odd);
+          span = span $loc($1) } }
+  | "varying" name = NAME body = surface
+      { { Syntax.finish =
+            Varying { name; name_span = span $loc(name); body };
+          span = span $loc($1) } }
 
 parts:
   | weight = weight surface = surface %prec end_of_mix { [ (weight, surface) ] }

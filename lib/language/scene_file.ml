@@ -66,7 +66,10 @@ let read_all ?time access sources =
     in
     let scene =
       match Result.bind syntax (Evaluate.scene ?time sources) with
-      | Ok scene -> Ok scene
+      | Ok scene -> (
+          match Check_patterns.errors sources scene with
+          | [] -> Ok scene
+          | errors -> Error errors)
       | Error errors ->
           let foreign = Option.map (fun e -> [ e ]) (foreign sources) in
           Error (Option.value foreign ~default:errors)
@@ -147,104 +150,5 @@ let load ?time ?access path = (read ?time ?access path).scene
 
 (* {1 Printing} *)
 
-let number = Number.to_exact_string
-
-let vector { Vec3.x; y; z } =
-  String.concat " " [ number x; number y; number z ]
-
-let color { Color.r; g; b } =
-  String.concat " " [ number r; number g; number b ]
-
-let print_number ppf x = Format.pp_print_string ppf (number x)
-
-let print_parameter ppf (_, parameter) =
-  Format.fprintf ppf " %a" (Parameter.pp_with print_number) parameter
-
-let print_light ppf (light : Light.t) =
-  Format.fprintf ppf "%s %s %s" (Light.name light) (number light.intensity)
-    (color light.color);
-  List.iter (print_parameter ppf) (Light.parameters light);
-  if light.is_unfading then Format.pp_print_string ppf " unfading"
-
-let print_shape ppf shape =
-  Format.pp_print_string ppf (Shape.name shape);
-  List.iter (print_parameter ppf) (Shape.parameters shape)
-
-let print_lens ppf { Lens.aperture; focus } =
-  if aperture > 0. then Format.fprintf ppf "aperture %s@\n" (number aperture);
-  Option.iter (fun f -> Format.fprintf ppf "focus %s@\n" (number f)) focus
-
-(* What is not as it is by itself. *)
-let print_film ppf { Film.samples; exposure; srgb } =
-  if samples <> 1 then Format.fprintf ppf "samples %d@\n" samples;
-  if exposure <> 1. then Format.fprintf ppf "exposure %s@\n" (number exposure);
-  if srgb then Format.fprintf ppf "srgb@\n"
-
-let print_plain ppf (o : Object.t) =
-  Format.fprintf ppf "%a %a%a" print_shape o.shape
-    (Surface.pp_with print_number)
-    o.surface
-    (Change.pp_with print_number)
-    (Shape.modifiers o.shape)
-
-let rec print_solid primitives ppf : int Solid.tree -> unit = function
-  | Member m -> print_plain ppf primitives.(m)
-  | Combined (operation, parts) ->
-      Format.fprintf ppf "@[<v>@[<v 2>%s" (Solid.word operation);
-      List.iter
-        (fun part -> Format.fprintf ppf "@,%a" (print_solid primitives) part)
-        parts;
-      Format.fprintf ppf "@]@,end@]"
-
-let print_object ppf (o : Object.t) =
-  (match o.shape with
-  | Solid { tree; _ } -> print_solid o.primitives ppf tree
-  | _ -> print_plain ppf o);
-  if o.is_shadowless then Format.pp_print_string ppf " shadowless"
-
-let print_viewpoint ppf { Viewpoint.eye; look_at; up; _ } =
-  Format.fprintf ppf "eye %s@\nlookAt %s@\nup %s@\n" (vector eye)
-    (vector look_at) (vector up)
-
-let print_camera ppf (camera : Camera.t) =
-  let { Camera.width; height; canvas_width; canvas_height; depth; _ } =
-    camera
-  in
-  Format.fprintf ppf "imWidth %d@\nimHeight %d@\n" width height;
-  (match camera.fov with
-  | Some fov -> Format.fprintf ppf "fov %s@\n" (number fov)
-  | None ->
-      Format.fprintf ppf "canvWidth %s@\ncanvHeight %s@\ndepth %s@\n"
-        (number canvas_width) (number canvas_height) (number depth));
-  if Option.is_some camera.fov || Camera.is_placed camera then
-    print_viewpoint ppf camera.viewpoint
-
-(* [comment] says more of what stands in a line, by its origin *)
-let print_with comment ppf (scene : Scene.t) =
-  print_camera ppf scene.camera;
-  Format.fprintf ppf "bcolor %s@\n" (color scene.background);
-  if not (Color.equal scene.ambient Color.black) then
-    Format.fprintf ppf "ambient %s@\n" (color scene.ambient);
-  Format.fprintf ppf "raydepth %d@\n" scene.ray_depth;
-  print_lens ppf scene.lens;
-  print_film ppf scene.film;
-  if scene.lights <> [] then Format.fprintf ppf "lights@\n";
-  List.iter
-    (fun (light : Light.t) ->
-      Format.fprintf ppf "%a%s@\n" print_light light (comment light.origin))
-    scene.lights;
-  Format.fprintf ppf "objects@\n";
-  List.iter
-    (fun (o : Object.t) ->
-      Format.fprintf ppf "%a%s@\n" print_object o (comment o.origin))
-    scene.objects
-
-let print = print_with (fun _ -> "")
-
-let expand ppf scene =
-  let comment origin =
-    match Scene.provenance scene origin with
-    | None -> ""
-    | Some place -> "  # " ^ Printable.text (Provenance.to_string place)
-  in
-  print_with comment ppf scene
+let print = Printing.print
+let expand = Printing.expand

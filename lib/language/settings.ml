@@ -13,7 +13,7 @@ type t = {
   look_at : Vec3.t option;
   up : Vec3.t option;
   ray_depth : int option;
-  background : Color.t option;
+  background : Background.t option;
   ambient : Color.t option;
   film : Film.t;
   aperture : float;
@@ -70,8 +70,12 @@ let scene s ~files ~lights ~objects =
   let lens = Lens.make ?focus aperture in
   match camera s with
   | Some camera ->
-      Scene.make camera ~film ~lens ?background ?ambient ?ray_depth ~files
-        ~lights ~objects
+      let scene =
+        Scene.make camera ~film ~lens ?ambient ?ray_depth ~files ~lights
+          ~objects
+      in
+      Option.fold background ~none:scene ~some:(fun background ->
+          Scene.with_sky background scene)
   | None -> invalid_arg "Settings.scene: no camera"
 
 (* {1 Words} *)
@@ -109,7 +113,12 @@ let raydepth e =
       { s with ray_depth = Some n })
 
 let bcolor e =
-  sets (color "bcolor" e) (fun c s -> { s with background = Some c })
+  sets (color "bcolor" e) (fun c s ->
+      { s with background = Some (Background.plain c) })
+
+let bcolor_varying point e =
+  sets (pattern point "bcolor" e) (fun pattern s ->
+      { s with background = Some (Background.varying pattern) })
 
 let ambient e =
   sets (color "ambient" e) (fun c s -> { s with ambient = Some c })

@@ -16,7 +16,7 @@ type t = private {
   look_at : Vec3.t option;
   up : Vec3.t option;
   ray_depth : int option;
-  background : Color.t option;
+  background : Background.t option;
   ambient : Color.t option;
   film : Film.t;
   aperture : float;
@@ -60,6 +60,12 @@ val up : Expression.t -> change
 val raydepth : Expression.t -> change
 val bcolor : Expression.t -> change
 val ambient : Expression.t -> change
+
+val bcolor_varying :
+  string * Raylab_source.Span.t -> Raylab_expression.Expression.t -> change
+(** [bcolor_varying d c] is the background [c] as a function of the direction
+    [d]. *)
+
 val samples : Expression.t -> change
 val exposure : Expression.t -> change
 val srgb : change

@@ -12,8 +12,10 @@ open Raylab_scene
 type surface = { finish : finish; span : Span.t  (** of its first word *) }
 
 and finish =
-  | Plain of Surface.t Written.t
+  | Plain of { word : string; written : Surface.t Written.t }
   | Mixed of (weight * surface) list
+  | Checker of Expression.t * surface * surface
+  | Varying of { name : string; name_span : Span.t; body : surface }
   | Chosen of Expression.t  (** a name, or what stands in brackets *)
 
 and weight =

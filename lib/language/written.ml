@@ -1,3 +1,4 @@
+open Raylab_source
 open Raylab_geometry
 open Raylab_scene
 open Raylab_expression
@@ -7,6 +8,7 @@ type _ kind =
   | Whole : { least : int; most : int } -> int kind
   | Vector : Vec3.t kind
   | Direction : Vec3.t kind
+  | Pattern : { name : string; name_span : Span.t } -> Surface.t Closed.t kind
   | Color : Color.t kind
 
 type 'a parameter = { name : string; kind : 'a kind; written : Expression.t }
@@ -35,3 +37,6 @@ let whole ~least ~most name written =
 let vector name written = { name; kind = Vector; written }
 let direction name written = { name; kind = Direction; written }
 let color name written = { name; kind = Color; written }
+
+let pattern (point, name_span) name written =
+  { name; kind = Pattern { name = point; name_span }; written }

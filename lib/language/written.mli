@@ -5,6 +5,7 @@
     which rule it obeys, and what is made of them all. The grammar calls it;
     {!Literal} and {!Check} evaluate it. *)
 
+open Raylab_source
 open Raylab_geometry
 open Raylab_scene
 open Raylab_expression
@@ -15,6 +16,8 @@ type _ kind =
   | Whole : { least : int; most : int } -> int kind
   | Vector : Vec3.t kind  (** a point or a vector *)
   | Direction : Vec3.t kind  (** a vector that is not zero *)
+  | Pattern : { name : string; name_span : Span.t } -> Surface.t Closed.t kind
+      (** a colour, of the point of this name *)
   | Color : Color.t kind  (** its channels not negative *)
 
 type 'a parameter = {
@@ -64,3 +67,7 @@ val direction : string -> Expression.t -> Vec3.t parameter
 
 val color : string -> Expression.t -> Color.t parameter
 (** [color name e] is a colour. *)
+
+val pattern :
+  string * Span.t -> string -> Expression.t -> Surface.t Closed.t parameter
+(** [pattern point name e] is a colour that is a function of [point]. *)

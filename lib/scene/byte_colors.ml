@@ -37,11 +37,17 @@ let of_objects objects =
   in
   List.rev (snd (List.fold_left add_object (1, []) objects))
 
+let of_background background =
+  Background.colors background
+  |> List.filter looks_so
+  |> List.map (fun color ->
+         { name = "the background"; color; origin = Origin.Unknown })
+
 let of_setting name color =
-  if looks_so color then [ { name; color; origin = Unknown } ] else []
+  if looks_so color then [ { name; color; origin = Origin.Unknown } ] else []
 
 let warnings ~background ~ambient lights objects =
-  of_setting "the background" background
+  of_background background
   @ of_setting "the ambient light" ambient
   @ List.filter_map Fun.id (List.mapi of_light lights)
   @ of_objects objects

@@ -1,7 +1,7 @@
 (** Colours that look like bytes, from 0 to 255. *)
 
 val warnings :
-  background:Color.t ->
+  background:Background.t ->
   ambient:Color.t ->
   Light.t list ->
   Object.t list ->

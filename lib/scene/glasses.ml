@@ -2,9 +2,16 @@ open Raylab_geometry
 
 let least_ray_depth = 8
 
+(* Of one that varies, what it is made of. *)
 let has holds surface =
+  let has_at_once surface =
+    List.exists holds (Surface.lobes surface).refractions
+  in
   (not (Surface.is_plain surface))
-  && List.exists holds (Surface.lobes surface).refractions
+  &&
+  if Surface.varies surface then
+    List.exists has_at_once (Surface.simple surface)
+  else has_at_once surface
 
 let is_glass =
   has (fun { Lobes.fresnel; glass; _ } ->

@@ -4,7 +4,7 @@ type t = {
   camera : Camera.t;
   lens : Lens.t;
   film : Film.t;
-  background : Color.t;
+  background : Background.t;
   ambient : Color.t;
   ray_depth : int;
   lights : Light.t list;
@@ -14,7 +14,6 @@ type t = {
 
 let default_ray_depth = 4
 let max_ray_depth = 1_000_000
-let require_background = Color.require "the background"
 let require_ambient = Color.require "the ambient light"
 
 let require_ray_depth ray_depth =
@@ -27,7 +26,7 @@ let make ?(lens = Lens.pinhole) ?(film = Film.default)
     ?(background = Color.black) ?(ambient = Color.black)
     ?(ray_depth = default_ray_depth) ?(lights = []) ?(objects = [])
     ?(files = Files.none) camera =
-  require_background background;
+  let background = Background.plain background in
   require_ambient ambient;
   require_ray_depth ray_depth;
   {
@@ -46,10 +45,8 @@ let provenance scene = Provenance.make scene.files
 let with_camera camera scene = { scene with camera }
 let with_lens lens scene = { scene with lens }
 let with_film film scene = { scene with film }
-
-let with_background background scene =
-  require_background background;
-  { scene with background }
+let with_sky background scene = { scene with background }
+let with_background color = with_sky (Background.plain color)
 
 let with_ambient ambient scene =
   require_ambient ambient;
@@ -65,10 +62,10 @@ let without_places scene = { scene with files = Files.none }
 
 let greyscale scene =
   let grey c = Grey.to_color (Grey.of_color c) in
-  let grey_object = Object.map_surfaces (Surface.map_colors grey) in
+  let grey_object = Object.map_surfaces Surface.greyscale in
   {
     scene with
-    background = grey scene.background;
+    background = Background.greyscale scene.background;
     ambient = grey scene.ambient;
     lights = List.map (Light.map_color grey) scene.lights;
     objects = List.map grey_object scene.objects;
@@ -76,7 +73,12 @@ let greyscale scene =
 
 let findings scene =
   let some_surface holds =
-    let holds surface = holds (Surface.lobes surface) in
+    let holds_at_once surface = holds (Surface.lobes surface) in
+    let holds surface =
+      if Surface.varies surface then
+        List.exists holds_at_once (Surface.simple surface)
+      else holds_at_once surface
+    in
     List.exists (fun o -> List.exists holds (Object.surfaces o)) scene.objects
   in
   let needs_light { Lobes.albedo; _ } = not (Color.equal albedo Color.black)
@@ -113,7 +115,7 @@ let warnings scene =
 let equal a b =
   Camera.equal a.camera b.camera
   && Lens.equal a.lens b.lens && Film.equal a.film b.film
-  && Color.equal a.background b.background
+  && Background.equal a.background b.background
   && Color.equal a.ambient b.ambient
   && a.ray_depth = b.ray_depth
   && List.equal Light.equal a.lights b.lights
@@ -127,8 +129,8 @@ let pp ppf scene =
   if Lens.is_open scene.lens then Format.fprintf ppf "@,%a" Lens.pp scene.lens;
   if not (Film.equal scene.film Film.default) then
     Format.fprintf ppf "@,%a" Film.pp scene.film;
-  Format.fprintf ppf "@,background %a, ray depth %d" Color.pp scene.background
-    scene.ray_depth;
+  Format.fprintf ppf "@,background %a, ray depth %d" Background.pp
+    scene.background scene.ray_depth;
   if not (Color.equal scene.ambient Color.black) then
     Format.fprintf ppf "@,ambient light %a" Color.pp scene.ambient;
   List.iteri

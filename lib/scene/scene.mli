@@ -7,7 +7,7 @@ type t = private {
   camera : Camera.t;
   lens : Lens.t;
   film : Film.t;
-  background : Color.t;
+  background : Background.t;
   ambient : Color.t;  (** the light that is everywhere *)
   ray_depth : int;
       (** rays in a chain at most, the primary ray included; at least 0 *)
@@ -60,6 +60,10 @@ val with_film : Film.t -> t -> t
 
 val with_background : Color.t -> t -> t
 (** [with_background color scene] is [scene] before this background. *)
+
+val with_sky : Background.t -> t -> t
+(** [with_sky background scene] is [scene] before this background, which may
+    vary. *)
 
 val with_ambient : Color.t -> t -> t
 (** [with_ambient color scene] is [scene] with this ambient light. *)

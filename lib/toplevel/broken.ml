@@ -6,15 +6,16 @@ let one_line pp value =
   Format.fprintf ppf "%a@?" pp value;
   Buffer.contents buffer
 
-let is_word text =
-  text <> ""
-  && match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '[' -> true | _ -> false
-
+let is_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+let is_word text = text <> "" && (is_letter text.[0] || text.[0] = '[')
 let is_operator text = List.mem text [ "+"; "*"; "=" ]
 
-(* How many parentheses [text] opens, less those that it closes. *)
-let opened =
-  String.fold_left (fun n -> function '(' -> n + 1 | ')' -> n - 1 | _ -> n) 0
+(* How many parentheses [text] opens, less those that it closes. Those around
+   words keep nothing together. *)
+let opened text =
+  let add n = function '(' -> n + 1 | ')' -> n - 1 | _ -> n in
+  if String.length text > 1 && text.[0] = '(' && is_letter text.[1] then 0
+  else String.fold_left add 0 text
 
 (* [depth] parentheses are open, and [before] was printed last. *)
 let rec pp_rest ppf depth before = function
@@ -29,7 +30,7 @@ let rec pp_rest ppf depth before = function
         Format.pp_print_space ppf ()
       else Format.pp_print_char ppf ' ';
       Format.pp_print_string ppf text;
-      pp_rest ppf (depth + opened text) text rest
+      pp_rest ppf (Int.max 0 (depth + opened text)) text rest
 
 let pp_line ppf line =
   match String.split_on_char ' ' line with

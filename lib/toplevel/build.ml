@@ -55,6 +55,21 @@ let refractive index color = Surface.refractive ~index color
 let glass index color = Surface.glass ~index color
 let mixed = Surface.mixed
 let tinted = Surface.tinted
+let checker = Surface.checker
+
+let varying text =
+  let open Raylab_language in
+  let scene =
+    "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1\n\
+     sphere 0 0 0 1 varying " ^ text
+  in
+  let sources = Raylab_source.Sources.make ~name:"varying" scene in
+  match Scene_file.parse sources with
+  | Ok { objects = [ { surface; _ } ]; _ } -> surface
+  | Ok _ -> invalid_arg "varying: more than a surface"
+  | Error errors ->
+      let first = List.hd errors in
+      invalid_arg (Printf.sprintf "varying: %s" first.Scene_error.message)
 
 let sphere centre radius surface =
   Object.make (Shape.sphere ~centre ~radius) surface

@@ -112,6 +112,16 @@ val mixed : (float * Surface.t) list -> Surface.t
 val tinted : (Color.t * Surface.t) list -> Surface.t
 (** [tinted parts] is {!mixed} with weights that are colours. *)
 
+val checker : float -> Surface.t -> Surface.t -> Surface.t
+(** [checker size a b] is cubes of this size, of [a] and [b] in turn. *)
+
+val varying : string -> Surface.t
+(** [varying text] is what the scene language makes of [varying] and [text], on
+    a ball of radius 1 around the origin:
+    [varying "p diffusive [0.5 + 0.5 * noise(p), 0.5, 0]"].
+
+    Raises [Invalid_argument] if that is in error. *)
+
 (** {1 Objects} *)
 
 val sphere : Vec3.t -> float -> Surface.t -> Object.t

@@ -118,8 +118,7 @@ let tell_closed t left direct sources ~first =
       observe (Closed { left; terms; color = Raw_color.to_color t.color })
 
 let show_background t left =
-  let { Color.r; g; b } = t.prepared.scene.background in
-  Raw_color.set t.color r g b;
+  Background.read t.background t.ray t.color;
   tell_background t left
 
 (* Puts the colour of the ray, with [left] rays left in its chain, into the
@@ -138,9 +137,9 @@ and shade_part t left =
   let { Meeting.number; part; _ } = t.meeting in
   let row = Prepared.row t.prepared ~number ~part in
   if row >= 0 then shade t left t.surfaces.lobes row
-  else if row = Surfaces.varies then (
+  else if row = Surfaces.varies || Surfaces.is_patterned row then (
     let surface = Prepared.surface t.prepared ~number ~part in
-    Surface.write surface t.spot t.lobes;
+    Surface.write (machines t row) surface t.spot t.lobes;
     if Raw_lobes.is_plain t.lobes then shade t left t.lobes.core 0
     else shade_rich t left t.lobes)
   else shade_rich t left (Surfaces.rich t.surfaces row)
@@ -246,12 +245,15 @@ let evaluate t =
 
 let color t r =
   load t r;
-  evaluate t
+  try evaluate t
+  with Pattern.Failed failure -> Unpainted.raise_ t.prepared failure
 
 let sample t ~x ~y k =
   t.tally.primary <- t.tally.primary + 1;
   Sample_ray.aim t.prepared.scene t.prepared.centres ~x ~y k t.ray;
-  evaluate t
+  try evaluate t
+  with Pattern.Failed failure ->
+    Unpainted.raise_ t.prepared ~pixel:(x, y) failure
 
 let nearest_hit t r =
   load t r;

@@ -104,8 +104,8 @@ let hit_of scene hit lights =
   let object_ = Prepared.numbered_object scene hit.Hit.number in
   let primitive = Option.map (primitive_of scene object_) hit.primitive in
   let { Object.surface; _ } = Object.primitive object_ hit.primitive in
-  let surface = Surface.at surface hit.own_point in
-  let lobes = Surface.lobes surface in
+  let lobes = Surface.lobes ~at:hit.own_point surface
+  and surface = Surface.at surface hit.own_point in
   let place = place scene object_.origin and lights = List.rev lights in
   { hit; object_; primitive; place; surface; lobes; lights }
 

@@ -28,6 +28,8 @@ type t = {
   shine : Shine.t;
   mean_shine : Shine.t;
   gives_shine : Shine.t;
+  machines : Surface.machines option array;
+  background : Background.reader;
   light : Raw_color.t;
   color : Raw_color.t;
 }
@@ -67,9 +69,22 @@ let create ?observe (prepared : Prepared.t) =
     shine = Shine.create ();
     mean_shine = Shine.create ();
     gives_shine = Shine.create ();
+    machines = Array.make (Array.length prepared.surfaces.patterned) None;
+    background = Background.reader prepared.scene.background;
     light = Raw_color.create ();
     color = Raw_color.create ();
   }
+
+let machines t row =
+  if not (Surfaces.is_patterned row) then Surface.no_machines
+  else
+    let k = Surfaces.pattern row in
+    match t.machines.(k) with
+    | Some machines -> machines
+    | None ->
+        let machines = Surface.start t.surfaces.patterned.(k) in
+        t.machines.(k) <- Some machines;
+        machines
 
 let load t (r : Ray.t) =
   let r = (r :> Raw_ray.t) in

@@ -37,6 +37,9 @@ type t = {
   shine : Shine.t;  (** what all lights give to the highlights *)
   mean_shine : Shine.t;  (** what the points of a light give to them *)
   gives_shine : Shine.t;  (** what one of them does *)
+  machines : Surface.machines option array;
+      (** those of [surfaces.patterned], once they are needed *)
+  background : Background.reader;
   light : Raw_color.t;  (** what all lights give *)
   color : Raw_color.t;  (** what the ray brings *)
 }
@@ -44,6 +47,10 @@ type t = {
 
 val create : ?observe:(Event.t -> unit) -> Prepared.t -> t
 (** [create prepared] is new registers for this scene. *)
+
+val machines : t -> int -> Surface.machines
+(** [machines t row] is the machines of the surface with this row, which
+    varies. *)
 
 val load : t -> Ray.t -> unit
 (** [load t ray] puts [ray] into its register. *)

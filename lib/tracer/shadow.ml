@@ -17,9 +17,9 @@ let settle t ~number ~part =
 let lobes t ~number ~part =
   let row = Prepared.row t.prepared ~number ~part in
   if row >= 0 then None
-  else if row = Surfaces.varies then (
+  else if row = Surfaces.varies || Surfaces.is_patterned row then (
     let surface = Prepared.surface t.prepared ~number ~part in
-    Surface.write surface t.shadow_spot t.shadow_lobes;
+    Surface.write (machines t row) surface t.shadow_spot t.shadow_lobes;
     Some t.shadow_lobes)
   else Some (Surfaces.rich t.surfaces row)
 

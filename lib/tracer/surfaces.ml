@@ -6,12 +6,16 @@ type t = {
   rows : int array;
   primitive_rows : int array array;
   rich : Raw_lobes.t array;
+  patterned : Surface.ready array;
 }
 
 let varies = -1
 let of_primitives = -2
 let first_rich = -3
+let first_patterned = -1_000_000_000
 let rich t row = t.rich.(first_rich - row)
+let is_patterned row = row <= first_patterned
+let pattern row = first_patterned - row
 
 (* The surfaces of either kind that have a row, the last one first. *)
 type listed = {
@@ -19,10 +23,17 @@ type listed = {
   mutable plain_count : int;
   mutable others : Surface.t list;
   mutable other_count : int;
+  mutable patterned : Surface.t list;
+  mutable patterned_count : int;
 }
 
 let new_row listed surface =
-  if Surface.varies surface then varies
+  if Surface.has_patterns surface then (
+    let row = first_patterned - listed.patterned_count in
+    listed.patterned <- surface :: listed.patterned;
+    listed.patterned_count <- listed.patterned_count + 1;
+    row)
+  else if Surface.varies surface then varies
   else if Surface.is_plain surface then (
     let row = listed.plain_count * Raw_lobes.size in
     listed.plain <- surface :: listed.plain;
@@ -53,6 +64,7 @@ let rows_of listed objects =
   Array.map object_ objects
 
 let nowhere = Spot.create
+let no = Surface.no_machines
 
 let write_plain { plain; plain_count; _ } =
   let lobes = Array.make (plain_count * Raw_lobes.size) 0.
@@ -60,7 +72,7 @@ let write_plain { plain; plain_count; _ } =
   and spot = nowhere () in
   let write k surface =
     let at = (plain_count - 1 - k) * Raw_lobes.size in
-    Surface.write surface spot raw;
+    Surface.write no surface spot raw;
     Array.blit raw.core 0 lobes at Raw_lobes.size
   in
   List.iteri write plain;
@@ -68,11 +80,20 @@ let write_plain { plain; plain_count; _ } =
 
 let write_other surface =
   let raw = Raw_lobes.create () in
-  Surface.write surface (nowhere ()) raw;
+  Surface.write no surface (nowhere ()) raw;
   raw
 
 let make objects =
-  let listed = { plain = []; plain_count = 0; others = []; other_count = 0 } in
+  let listed =
+    {
+      plain = [];
+      plain_count = 0;
+      others = [];
+      other_count = 0;
+      patterned = [];
+      patterned_count = 0;
+    }
+  in
   let all = rows_of listed objects in
   {
     lobes = write_plain listed;
@@ -82,4 +103,5 @@ let make objects =
          Array.map snd all
        else [||]);
     rich = Array.of_list (List.rev_map write_other listed.others);
+    patterned = Array.of_list (List.rev_map Surface.ready listed.patterned);
   }

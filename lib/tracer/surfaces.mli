@@ -9,11 +9,13 @@ type t = private {
   rows : int array;
       (** where the row of each object's surface starts; or, less than 0,
           {!varies} if that is to be asked at each point, {!of_primitives} if
-          each primitive has its own, and otherwise a {!rich} one *)
+          each primitive has its own, and otherwise one that {!is_patterned} or
+          {!rich} *)
   primitive_rows : int array array;
       (** the same for the primitives of each object, if any has some *)
   rich : Raw_lobes.t array;
       (** what surfaces denote that have highlights or refractions *)
+  patterned : Surface.ready array;  (** the patterns in others *)
 }
 (** The type for the surfaces of the objects of a scene, by their place there,
     from 0. *)
@@ -30,3 +32,10 @@ val of_primitives : int
 val rich : t -> int -> Raw_lobes.t
 (** [rich t row] is what the surface with this row denotes, which is less than
     {!of_primitives}. *)
+
+val is_patterned : int -> bool
+(** [is_patterned row] is whether there are patterns in the surface with this
+    row, which varies. *)
+
+val pattern : int -> int
+(** [pattern row] is then where they are in [patterned]. *)

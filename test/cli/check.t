@@ -27,7 +27,7 @@ An error names the place, shows it, and says what to write instead.
       2 | sphere 0 0 6 1 difuse red
         |                ^^^^^^
   expected a surface: diffusive, reflective, luminous, glossy, refractive,
-  glass or mixed. Did you mean 'diffusive'?
+  glass, mixed, checker or varying. Did you mean 'diffusive'?
 
 Warnings leave the scene as good as it was.
 

@@ -19,7 +19,7 @@
             "line": 2,
             "columns": [ 17, 24 ],
             "message": "unknown surface 'difusive'",
-            "remedy": "expected a surface: diffusive, reflective, luminous, glossy, refractive,\nglass or mixed. Did you mean 'diffusive'?"
+            "remedy": "expected a surface: diffusive, reflective, luminous, glossy, refractive,\nglass, mixed, checker or varying. Did you mean 'diffusive'?"
           }
         ]
       },

@@ -217,6 +217,7 @@ and hit json : Explain.surface_hit =
   let is_smooth = has "smoothed" json in
   let names =
     ("object" :: primitive_names)
+    @ (if has "here" json then [ "here" ] else [])
     @ [ "t"; "point"; "normal" ]
     @ (if is_smooth then [ "smoothed" ] else [])
     @ [ "outside"; "part"; "own_point" ]

@@ -61,6 +61,15 @@ let kind json = text (member "kind" json)
 
 (* {1 Scenes} *)
 
+let read_words words =
+  let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
+  let source =
+    Sources.make ~name:"JSON" (String.concat "\n" (header :: words))
+  in
+  match Scene_file.parse ~access:Test_support.Meshes.access source with
+  | Ok { objects = [ o ]; _ } -> o
+  | _ -> wrong (String.concat " " words)
+
 (* [written json] is the words of the scene language for a shape or surface: its
    kind, and its parts in their order. The name of a file is in quotes. *)
 let rec written : Yojson.Safe.t -> string list = function
@@ -75,14 +84,110 @@ and written_member = function
       [ Printf.sprintf "[%s]" (String.concat ", " (written color)) ]
   | _, part -> written part
 
-let read words =
-  let header = "imWidth 1 imHeight 1 canvWidth 1 canvHeight 1 depth 1" in
-  let source =
-    Sources.make ~name:"JSON" (String.concat " " (header :: words))
+let rec surface json : Surface.t =
+  let weight : Yojson.Safe.t -> Color.t = function
+    | `List _ as json -> color json
+    | json ->
+        let x = float json in
+        Color.make x x x
   in
-  match Scene_file.parse ~access:Test_support.Meshes.access source with
-  | Ok { objects = [ o ]; _ } -> o
-  | _ -> wrong (String.concat " " words)
+  let part json =
+    (weight (member "weight" json), surface (member "surface" json))
+  and number name = float (member name json)
+  and tint () = color (member "color" json) in
+  match kind json with
+  | "diffusive" -> Surface.diffusive (color (member "color" json))
+  | "reflective" -> Surface.reflective
+  | "luminous" -> Surface.luminous (color (member "color" json))
+  | "glossy" -> Surface.glossy ~sharpness:(number "sharpness") (tint ())
+  | "refractive" -> Surface.refractive ~index:(number "index") (tint ())
+  | "glass" -> Surface.glass ~index:(number "index") (tint ())
+  | "mixed" -> Surface.tinted (list part (member "parts" json))
+  | "checker" ->
+      Surface.checker
+        (float (member "size" json))
+        (surface (member "even" json))
+        (surface (member "odd" json))
+  | "varying" -> varying json
+  | other -> wrong other
+
+(* What its names are, as the language defines them. *)
+and varying json =
+  let definition json =
+    let name = text (member "name" json) in
+    match json with
+    | `Assoc members when List.mem_assoc "function" members ->
+        "let " ^ text (member "function" json)
+    | _ -> Printf.sprintf "let %s = %s" name (value (member "value" json))
+  in
+  let definitions = list definition (member "where" json) in
+  let o =
+    read_words (definitions @ [ "sphere 0 0 0 1"; text (member "text" json) ])
+  in
+  o.surface
+
+and value : Yojson.Safe.t -> string = function
+  | `List items -> "[" ^ String.concat ", " (List.map value items) ^ "]"
+  | number -> Number.to_exact_string (float number)
+
+let exact ppf x = Format.pp_print_string ppf (Number.to_exact_string x)
+
+(* [written_surface definitions json] is the words for a surface, after what is
+   added to [definitions]. *)
+let written_surface definitions json =
+  let surface = surface json in
+  let name part =
+    let name = Printf.sprintf "part_%d" (List.length !definitions) in
+    definitions := (part, name) :: !definitions
+  and name_of part = List.assq_opt part !definitions in
+  List.iter name (Surface.parts_to_name surface);
+  Format.asprintf "%a" (Surface.pp_with ~name_of exact) surface
+
+(* Each pattern in a block of its own, for the names in it. *)
+let read definitions words =
+  let name_of part = List.assq_opt part definitions in
+  let pp_names ppf : Surface.t -> unit = function
+    | Varying { pattern; _ } -> Pattern_text.definitions ~name_of ppf pattern
+    | _ -> ()
+  in
+  let definition (part, name) =
+    Format.asprintf "if (true) %alet %s = %a" pp_names part name
+      (Surface.pp_form_with ~name_of exact)
+      part
+  in
+  let ends = List.map (fun _ -> "end") definitions in
+  read_words (List.rev_map definition definitions @ words @ ends)
+
+(* The same without the places of expressions. *)
+let rec bare : Surface.t -> Surface.t = function
+  | Mixed { parts; _ } ->
+      Surface.tinted (List.map (fun (weight, s) -> (weight, bare s)) parts)
+  | Checker { size; even; odd; _ } ->
+      Surface.checker size (bare even) (bare odd)
+  | Varying { pattern; _ } ->
+      let expression = Raylab_expression.Names.without_places in
+      let parameter (p : Raylab_expression.Expression.parameter) =
+        { p with span = { start = 0; stop = 0 } }
+      in
+      let definition : _ Raylab_expression.Closed.definition -> _ = function
+        | Defined { parameters; body } ->
+            Raylab_expression.Closed.Defined
+              {
+                parameters = List.map parameter parameters;
+                body = expression body;
+              }
+        | Value _ as value -> value
+      in
+      Surface.varying
+        {
+          pattern with
+          body = expression pattern.body;
+          definitions =
+            List.map
+              (fun (name, d) -> (name, definition d))
+              pattern.definitions;
+        }
+  | simple -> simple
 
 let place_members : Yojson.Safe.t -> string list = function
   | `Assoc found when List.mem_assoc "file" found -> [ "line"; "file" ]
@@ -107,15 +212,21 @@ let has name : Yojson.Safe.t -> bool = function
 
 let plain_parts json = [ "shape"; "surface" ] @ changes json
 
-(* [solid json] is the words for what is put together, or for a primitive. *)
-let rec solid json =
+let of_part definitions part json =
+  if part = "surface" then [ written_surface definitions json ]
+  else written json
+
+(* [solid definitions json] is the words for what is put together, or for a
+   primitive. *)
+let rec solid definitions json =
   if has "primitive" json then
     let parts = plain_parts json in
     let get = members ("primitive" :: parts) json in
-    List.concat_map (fun part -> written (get part)) parts
+    List.concat_map (fun part -> of_part definitions part (get part)) parts
   else
     let get = members [ "kind"; "parts" ] json in
-    (text (get "kind") :: List.concat (list solid (get "parts"))) @ [ "end" ]
+    (text (get "kind") :: List.concat (list (solid definitions) (get "parts")))
+    @ [ "end" ]
 
 (* Primitives are told without their places. *)
 let unplaced (o : Object.t) =
@@ -132,10 +243,14 @@ let object_ json =
   let get =
     members (("number" :: place_members json) @ parts @ shadowless) json
   in
+  let definitions = ref [] in
   let words part =
-    if part = "solid" then solid (get part) else written (get part)
+    if part = "solid" then solid definitions (get part)
+    else of_part definitions part (get part)
   in
-  let o = read (List.concat_map words parts @ shadowless) in
+  let words = List.concat_map words parts in
+  let o = read !definitions (words @ shadowless) in
+  let o = Object.map_surfaces bare o in
   let origin = origin json in
   ( int (get "number"),
     Object.with_origin origin (unplaced o),

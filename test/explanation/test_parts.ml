@@ -168,7 +168,9 @@ let rec adds_up background (e : Explain.t) =
       (e.outcome <> Chain_ended || e.left = 0)
       && (e.outcome <> Too_faint || Geometry.Ray.share e.ray < 1. /. 1024.)
       && sources e = [ "background" ]
-      && is_same e.color background
+      && is_same e.color
+           (Background.at background
+              (Geometry.Ray.direction e.ray :> Geometry.Vec3.t))
   | Hit h ->
       sources e
       = [ "emitted"; "diffused" ]

@@ -75,9 +75,39 @@ let test_very_long () =
   Expect.contains "JSON" ~part:"chain ended"
     (Json.to_string (Json.document [ pixel ]))
 
+(* {1 Surfaces that vary} *)
+
+(* The ray through the middle meets the wall at (0, 0, 4), where it was written
+   at (0.5, 0, 4): in the second cube of half a unit. *)
+let test_checker () =
+  let wall surface modifiers =
+    let wall = plane (v 0. 0. 4.) (v 0. 0. 1.) surface in
+    let change = Raylab_geometry.Change.of_modifiers modifiers in
+    let objects = [ Object.transformed change wall ] in
+    let camera = camera ~width:1 ~height:1 () in
+    print
+      (Explain.pixel (Prepared.make (Scene.make ~objects camera)) ~x:0 ~y:0)
+  in
+  let matt = Surface.diffusive Color.white in
+  let checker = Surface.checker 0.5 Surface.reflective matt in
+  let check what part surface modifiers =
+    Expect.contains what ~part (wall surface modifiers)
+  in
+  check "where it is written" "\n  the checker is a mirror at (0, 0, 4)\n"
+    checker [];
+  check "moved"
+    "\n  the checker is white at (0.5, 0, 4) in its own coordinates\n" checker
+    [ Translated (v (-0.5) 0. 0.) ];
+  check "in a mix" "\n  which is mixed 0.5 reflective at (0, 0, 4)\n"
+    (Surface.mixed [ (0.5, checker) ])
+    [];
+  check "which it is" "a white plane (object 1), with no light" checker
+    [ Translated (v (-0.5) 0. 0.) ]
+
 let suite =
   ( "Report",
     [
+      Alcotest.test_case "a checker" `Quick test_checker;
       Alcotest.test_case "long chains" `Quick test_long;
       Alcotest.test_case "very long chains" `Quick test_very_long;
     ]

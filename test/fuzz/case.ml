@@ -93,8 +93,21 @@ let color number random =
   if Random.State.bool random then choose random [| "white"; "red"; "Black" |]
   else vector (at_least_0 number) random
 
+let patterns number random =
+  [|
+    "diffusive [abs(p)]"; "diffusive [abs(p.x), 0.5, noise(p)]";
+    Printf.sprintf "mixed (abs(p.y)) diffusive %s 0.5 reflective"
+      (vector (at_least_0 number) random);
+    Printf.sprintf "diffusive [1 / (p.x - %s), 1, 1] " (at_least_0 number random);
+    "luminous [hsv(atan2(p.z, p.x), 0.5, 1)]";
+    "checker 0.5 diffusive [p * p] reflective";
+    "(if p.x > 0 then p else 1)"; "varying q diffusive [q * p]";
+    "diffusive [for i = 1 to 3: turbulence(i * p, 3) + 1]";
+  |]
+[@@ocamlformat "disable"]
+
 let rec surface number depth random =
-  match up_to random (if depth = 0 then 4 else 5) with
+  match up_to random (if depth = 0 then 4 else 7) with
   | 0 -> "diffusive " ^ color number random
   | 1 -> "reflective"
   | 2 -> "luminous " ^ color number random
@@ -105,6 +118,11 @@ let rec surface number depth random =
       Printf.sprintf "%s %s %s"
         (choose random [| "refractive"; "glossy" |])
         (positive number random) (color number random)
+  | 5 ->
+      Printf.sprintf "checker %s %s %s" (positive number random)
+        (surface number (depth - 1) random)
+        (surface number (depth - 1) random)
+  | 6 -> "varying p " ^ choose random (patterns number random)
   | _ ->
       let weight random =
         match up_to random 2 with
@@ -213,7 +231,9 @@ let scene_of number random =
      %s\n\
      objects\n\
      %s\n"
-    (pixels ()) (pixels ()) (view number random) (color number random)
+    (pixels ()) (pixels ()) (view number random)
+    (if one_in random 5 then "varying d [d * d + noise(3 * d) + 1]"
+     else color number random)
     (up_to random 7)
     (if one_in random 4 then " ambient " ^ color number random else "")
     (some random 4 (light number))

@@ -64,9 +64,10 @@ let small (scene : Scene.t) =
   let camera =
     Camera.with_size ~width:(side width) ~height:(side height) scene.camera
   in
-  Scene.make camera ~background:scene.background ~ambient:scene.ambient
+  Scene.make camera ~ambient:scene.ambient
     ~ray_depth:(Int.min scene.ray_depth most_depth)
     ~lights:scene.lights ~objects:scene.objects
+  |> Scene.with_sky scene.background
 
 let complaint_of_pixel prepared ~x ~y =
   let color = Tracer.pixel prepared ~x ~y in
@@ -96,6 +97,7 @@ let complaint_of_scene scene =
 let whatever_happens f =
   match f () with
   | complaint -> complaint
+  | exception Unpainted.Found _ -> None (* it is told *)
   | exception failure -> Some (Printexc.to_string failure)
 
 let complaint text =

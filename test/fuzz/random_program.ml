@@ -163,7 +163,7 @@ let color scope random =
       sprintf "%s %s %s" (p ()) (p ()) (p ())
 
 let rec own_surface scope depth random =
-  match up_to random (if depth = 0 then 4 else 6) with
+  match up_to random (if depth = 0 then 4 else 8) with
   | 0 -> "diffusive " ^ color scope random
   | 1 -> "reflective"
   | 2 -> "luminous " ^ color scope random
@@ -177,6 +177,16 @@ let rec own_surface scope depth random =
         (own_surface scope (depth - 1) random)
         (number_in scope 1 random)
         (surface scope (depth - 1) random)
+  | 6 ->
+      sprintf "checker %s %s %s" (positive scope random)
+        (surface scope (depth - 1) random)
+        (surface scope (depth - 1) random)
+  | 7 ->
+      sprintf
+        "varying p mixed (abs(mod(p.x, 2))) %s 0.5 diffusive [abs(%s), \
+         noise(p) + 1, 1]"
+        (own_surface scope 0 random)
+        (number_in scope 2 random)
   | _ ->
       sprintf "mixed 0.5 %s (%s) %s"
         (own_surface scope (depth - 1) random)

@@ -101,7 +101,10 @@ let test_own () =
   let check = Alcotest.check (Same.vec3_near 1e-14) in
   check "stretched" (v 1. 1. 0.) (own stretch);
   check "moved" (v 0. 1. 0.) (own move);
-  check "moved, with its coordinates" (v 1. 1. 0.) (own ~keep_own:true move)
+  check "moved, with its coordinates" (v 1. 1. 0.) (own ~keep_own:true move);
+  let unchanged = Shape.transformed ~keep_own:true Change.identity ball in
+  Alcotest.(check int) "not at all" 0 (List.length (Shape.modifiers unchanged));
+  Alcotest.(check bool) "and equal" true (Shape.equal ball unchanged)
 
 (* What went into the point: 1000 along x, and a radius of 1. *)
 let test_size () =

@@ -66,7 +66,9 @@ let test_header () =
 
 let test_defaults () =
   let scene = Read.scene (Read.with_header "") in
-  Alcotest.check Same.color "background" Color.black scene.background;
+  Alcotest.check Same.background "background"
+    (Background.plain Color.black)
+    scene.background;
   Alcotest.(check int) "ray depth" 4 scene.ray_depth
 
 let test_layout () =

@@ -8,6 +8,7 @@ let () =
       Test_encoding.suite;
       Test_grammar.suite;
       Test_mixes.suite;
+      Test_pattern.suite;
       Test_numbers.suite;
       Test_header.suite;
       Test_error_place.suite;

@@ -75,6 +75,79 @@ let test_too_deep () =
        (nested ~start:"mixed -3 reflective 2 " Surface.max_nesting
        ^ " sphere 0 0 6 0 mixed 1 reflective"))
 
+(* What ends in a mix and is not the last part has a name where it is printed. *)
+let test_checkers () =
+  let check what text expected =
+    check what text expected;
+    let scene = Read.scene (Read.with_header ("sphere 0 0 6 1 " ^ text)) in
+    let printed = Property.show Raylab_language.Scene_file.print scene in
+    Alcotest.check Same.scene "printed" scene (Read.scene printed)
+  in
+  let open_mix = Surface.mixed [ (3., mirror) ] in
+  let ends_open = Surface.checker 2. matt open_mix in
+  check "of a mix first" "checker 2 mixed 3 reflective diffusive white"
+    (Surface.checker 2. open_mix matt);
+  check "a weight after one"
+    "mixed 1 checker 2 diffusive white luminous red 4 reflective"
+    (Surface.mixed [ (1., Surface.checker 2. matt glow); (4., mirror) ]);
+  check "a weight after a mix in one"
+    "mixed 1 checker 2 diffusive white mixed 3 reflective 4 luminous red"
+    (Surface.mixed
+       [
+         ( 1.,
+           Surface.checker 2. matt (Surface.mixed [ (3., mirror); (4., glow) ])
+         );
+       ]);
+  let scene =
+    Scene.make Read.camera
+      ~objects:
+        [
+          Build.sphere (Build.v 0. 0. 6.) 1.
+            (Surface.mixed
+               [
+                 (1., ends_open);
+                 (4., Surface.checker 1. glow ends_open);
+                 (5., glow);
+               ]);
+        ]
+  in
+  let printed = Property.show Raylab_language.Scene_file.print scene in
+  Alcotest.check Same.scene "named" scene (Read.scene printed)
+
+let messages text =
+  List.map
+    (fun e -> e.Raylab_language.Scene_error.message)
+    (Read.errors (Read.with_header text))
+
+let test_deep_checkers () =
+  let deep n =
+    let checkers = List.init n (fun _ -> "checker 1 reflective ") in
+    "sphere 0 0 6 1 " ^ String.concat "" checkers ^ "reflective"
+  in
+  let scene = Read.scene (Read.with_header (deep 1000)) in
+  let printed = Property.show Raylab_language.Scene_file.print scene in
+  Alcotest.check Same.scene "printed and read" scene (Read.scene printed);
+  Alcotest.(check (list string))
+    "one deeper"
+    [ "checkers are nested deeper than 1,000" ]
+    (messages (deep 1001))
+
+(* Each of what the one before is: what is seen grows, and what is written
+   does not. *)
+let test_doubled () =
+  let definition k =
+    Printf.sprintf "let c%d = checker 1 c%d c%d\n" k (k - 1) (k - 1)
+  in
+  let text =
+    "let c0 = reflective\n"
+    ^ String.concat "" (List.init 99 (fun k -> definition (k + 1)))
+    ^ "sphere 0 0 6 1 c99"
+  in
+  Alcotest.(check (list string))
+    "an end"
+    [ "the evaluation takes more than 100,000,000 steps" ]
+    (messages text)
+
 let test_next_object () =
   Alcotest.(check (list Same.surface))
     "an object ends every mix"
@@ -123,6 +196,9 @@ let suite =
     [
       Alcotest.test_case "flat" `Quick test_flat;
       Alcotest.test_case "innermost" `Quick test_innermost;
+      Alcotest.test_case "checkers" `Quick test_checkers;
+      Alcotest.test_case "deep checkers" `Quick test_deep_checkers;
+      Alcotest.test_case "doubled again and again" `Quick test_doubled;
       Alcotest.test_case "next object" `Quick test_next_object;
       Alcotest.test_case "the deepest" `Quick test_deepest;
       Alcotest.test_case "too deep" `Quick test_too_deep;

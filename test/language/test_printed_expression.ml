@@ -55,6 +55,7 @@ and bare_desc (desc : Expression.desc) : Expression.desc =
   | If (c, a, b) -> If (bare c, bare a, bare b)
   | Let { name; value; body; _ } ->
       Let { name; name_span = nowhere; value = bare value; body = bare body }
+  | Word _ | Varying _ -> invalid_arg "a surface in an expression"
 
 let printed e = Expression.to_string e
 

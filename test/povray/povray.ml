@@ -230,7 +230,8 @@ let write channel (scene : Scene.t) =
      #default { finish { ambient 0 } }\n\
      background { rgb %s }\n"
     (Int.max 1 (Int.min 256 scene.ray_depth))
-    (color scene.ambient) (color scene.background);
+    (color scene.ambient)
+    (color (Background.at scene.background Vec3.zero));
   write_camera channel scene.camera;
   List.iter (write_light channel scene.camera) scene.lights;
   List.iter (write_object channel) scene.objects

@@ -7,7 +7,9 @@ let check what expected ?(background = Color.black) ?(ambient = Color.black)
   Alcotest.(check (list string))
     what expected
     (List.map (Warning.to_string place)
-       (Byte_colors.warnings ~background ~ambient lights objects))
+       (Byte_colors.warnings
+          ~background:(Background.plain background)
+          ~ambient lights objects))
 
 let ball surface = sphere (v 0. 0. 6.) 1. surface
 let no what color = check what [] [] [ ball (Surface.luminous color) ]

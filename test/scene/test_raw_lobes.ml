@@ -10,7 +10,9 @@ let lobes ?(emission = Color.black) ?(albedo = Color.black)
     ?(mirror = Color.black) ?(refractions = []) () =
   { Lobes.none with emission; albedo; mirror; refractions }
 
-let write raw surface = Surface.write surface (Spot.create ()) raw
+let write raw surface =
+  Surface.(write no_machines) surface (Spot.create ()) raw
+
 let matt r g b = Surface.diffusive (rgb r g b)
 let glow r g b = Surface.luminous (rgb r g b)
 

@@ -13,7 +13,9 @@ let scene =
 
 let test_defaults () =
   let bare = Scene.make (camera ()) in
-  Alcotest.check Same.color "background" Color.black bare.background;
+  Alcotest.check Same.background "background"
+    (Background.plain Color.black)
+    bare.background;
   Alcotest.(check int) "ray depth" 4 bare.ray_depth;
   Alcotest.(check int) "lights" 0 (List.length bare.lights);
   Alcotest.(check int) "objects" 0 (List.length bare.objects)

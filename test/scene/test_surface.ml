@@ -51,6 +51,7 @@ let test_nesting () =
     (Surface.mixed [ (1., deepest); (1., matt) ]);
   check "in other colours" 1000 (Surface.map_colors Fun.id deepest);
   Expect.invalid "deeper" (fun () -> Surface.mixed [ (1., deepest) ]);
+  Expect.invalid "in a checker" (fun () -> Surface.checker 1. matt deepest);
   Expect.invalid "after others" (fun () ->
       Surface.mixed [ (1., matt); (1., deepest) ])
 
@@ -76,6 +77,9 @@ let test_equal () =
   differs "number of parts"
     (Surface.mixed [ (1., glow) ])
     (Surface.mixed [ (1., glow); (1., glow) ]);
+  differs "size" (Surface.checker 1. matt glow) (Surface.checker 2. matt glow);
+  differs "even" (Surface.checker 1. matt glow) (Surface.checker 1. glow glow);
+  differs "odd" (Surface.checker 1. matt glow) (Surface.checker 1. matt matt);
   differs "a mix of one and the one" (Surface.mixed [ (1., glow) ]) glow
 
 let test_invalid () =
@@ -84,6 +88,7 @@ let test_invalid () =
     (fun bad ->
       Expect.invalid "weight" (fun () -> Surface.mixed [ (bad, mirror) ]);
       Expect.invalid "diffusive" (fun () -> Surface.diffusive (rgb 0. bad 0.));
+      Expect.invalid "checker" (fun () -> Surface.checker bad matt matt);
       Expect.invalid "luminous" (fun () -> Surface.luminous (rgb 0. 0. bad));
       Expect.invalid "glossy" (fun () ->
           Surface.glossy ~sharpness:1. (grey bad));
@@ -133,11 +138,42 @@ let test_grey_weights () =
             (grey 0.2, Surface.glossy ~sharpness:9. colored);
           ]))
 
-(* None varies so far. *)
 let test_at () =
   let mix = Surface.mixed [ (2., mirror); (1., glow) ] in
   Alcotest.(check bool) "varies" false (Surface.varies mix);
-  check "anywhere" mix (Surface.at mix (v 1. 2. 3.))
+  check "anywhere" mix (Surface.at mix (v 1. 2. 3.));
+  let checkered = Surface.mixed [ (2., Surface.checker 1. mirror matt) ] in
+  Alcotest.(check bool) "varies" true (Surface.varies checkered);
+  check "in a mix"
+    (Surface.mixed [ (2., matt) ])
+    (Surface.at checkered (v 1.5 0. 0.))
+
+let test_checker () =
+  let checker = Surface.checker 0.1 matt mirror in
+  let check what expected point =
+    check what expected (Surface.at checker point)
+  in
+  check "the origin" matt (v 0. 0. 0.);
+  check "the next cube" mirror (v 0.15 0.05 0.05);
+  check "beyond an edge" matt (v 0.15 0.15 0.05);
+  check "beyond a corner" mirror (v 0.15 0.15 0.15);
+  check "before the origin" mirror (v (-0.05) 0.05 0.05);
+  check "diagonally before it" matt (v (-0.05) (-0.05) 0.05);
+  check "far away" matt (v 1e300 1e-300 0.05);
+  (* 0.3 / 0.1 is a little less than 3 *)
+  check "between two" mirror (v 0.3 0.05 0.05);
+  check "a little before" mirror (v (0.3 -. 1e-15) 0.05 0.05);
+  check "a little beyond" mirror (v (0.3 +. 1e-15) 0.05 0.05);
+  check "clearly before" matt (v 0.2999 0.05 0.05)
+
+(* Two to the power of 900 surfaces. *)
+let test_shared () =
+  let rec build n surface =
+    if n = 0 then surface
+    else build (n - 1) (Surface.checker 1. surface surface)
+  in
+  Alcotest.(check int) "count" 1_000_000_000 (Surface.count (build 900 matt));
+  Alcotest.(check int) "of few" 7 (Surface.count (build 2 matt))
 
 let test_paint () =
   let check what expected surface =
@@ -152,6 +188,11 @@ let test_pp () =
   Expect.prints "as in a scene" "mixed 0.5 diffusive 1 0.5 0 0.25 reflective"
     Surface.pp
     (Surface.mixed [ (0.5, matt); (0.25, mirror) ]);
+  let nested = Surface.checker 2. matt (Surface.mixed [ (0.25, mirror) ]) in
+  Expect.prints "a mix that ends in a mix"
+    "mixed 1 (checker 2 diffusive 1 0.5 0 mixed 0.25 reflective) 3 reflective"
+    Surface.pp
+    (Surface.mixed [ (1., nested); (3., mirror) ]);
   Expect.prints "luminous" "luminous 1 0 0" Surface.pp glow;
   Expect.prints "weights that are colours"
     "mixed [1, 0.5, 0] glass 1.5 1 1 1 0.5 glossy 20 1 0 0 2 refractive 1.3 1 \
@@ -174,6 +215,8 @@ let suite =
       Alcotest.test_case "invalid" `Quick test_invalid;
       Alcotest.test_case "map_colors" `Quick test_map_colors;
       Alcotest.test_case "weights in grey" `Quick test_grey_weights;
+      Alcotest.test_case "checker" `Quick test_checker;
+      Alcotest.test_case "parts that are shared" `Quick test_shared;
       Alcotest.test_case "at a point" `Quick test_at;
       Alcotest.test_case "paint" `Quick test_paint;
       Alcotest.test_case "pp" `Quick test_pp;

@@ -160,7 +160,8 @@ let solid_tree member =
 
 let solid_shape number =
   let or_other shape =
-    if Shape.is_solid shape then pure shape else mesh Meshes.solid
+    if Shape.is_solid shape then pure shape
+    else oneof [ mesh Meshes.solid; sphere number ]
   in
   changed_shape number >>= or_other
 
@@ -194,6 +195,83 @@ let simple_surface number =
         (index number) (color number);
     ]
 
+(* {1 Patterns}
+
+   Of expressions that have a value at every point: [k], [f(p)] and numbers that
+   depend on where the point is. *)
+
+let written desc =
+  { Raylab_expression.Expression.desc; span = { start = 0; stop = 0 } }
+
+let beyond point letter x a b =
+  let open Raylab_expression.Expression in
+  let name = written (Name point) in
+  let part = written (Part (name, letter)) in
+  let test = written (Binary (Greater, part, written (Number x))) in
+  written (If (test, a, b))
+
+let number_at point number =
+  let literal =
+    map (fun x -> written (Raylab_expression.Expression.Number x))
+  in
+  let positive = literal (at_least_0 number) in
+  map3
+    (fun letter x (a, b) -> beyond point letter x a b)
+    (oneofl [ 'x'; 'y'; 'z' ])
+    (float_range 0.1 5.) (pair positive positive)
+
+let closed name body number =
+  let* k = at_least_0 number
+  and* of_f = number_at "q" number
+  and* third = number_at name number in
+  let open Raylab_expression in
+  let span = { Raylab_source.Span.start = 0; stop = 0 } in
+  let value = { Expression.label = None; value = written (Name name) } in
+  let call =
+    written (Call { name = "f"; name_span = span; arguments = [ value ] })
+  in
+  let k_name = written (Name "k") in
+  let f_body = beyond "q" 'x' 0.37 k_name of_f in
+  let q = { Expression.name = "q"; span; default = None } in
+  pure
+    {
+      Closed.name;
+      body = body k_name (written (List [ k_name; call; third ])) third;
+      definitions =
+        [
+          ("k", Value (Number k));
+          ("f", Defined { parameters = [ q ]; body = f_body });
+        ];
+    }
+
+let pattern number =
+  let open Raylab_expression.Expression in
+  let word word arguments = written (Word { word; arguments }) in
+  let* body =
+    oneofl
+      [
+        (fun _ color _ -> word "diffusive" [ (Color, color) ]);
+        (fun _ color _ -> word "luminous" [ (Color, color) ]);
+        (fun k color third ->
+          word "mixed"
+            [
+              (Weight, k); (Surface, word "diffusive" [ (Color, color) ]);
+              (Weight, third); (Surface, word "reflective" []);
+            ]);
+        (fun _ color _ ->
+          word "checker"
+            [
+              (Number, written (Number 0.7));
+              (Surface, word "luminous" [ (Color, color) ]);
+              (Surface, word "reflective" []);
+            ]);
+      ]
+  in
+  closed "p" body number
+[@@ocamlformat "disable"]
+
+let sky number = closed "d" (fun _ color _ -> color) number
+
 let surface number =
   let rec at_depth n =
     if n = 0 then simple_surface number
@@ -205,6 +283,11 @@ let surface number =
           (2, simple_surface number);
           (1, map Surface.mixed (list_size (1 -- 3) part));
           (1, map Surface.tinted (list_size (1 -- 3) tinted));
+          (1, map Surface.varying (pattern number));
+          ( 1,
+            map3 Surface.checker (positive number)
+              (at_depth (n - 1))
+              (at_depth (n - 1)) );
         ]
   in
   at_depth 3
@@ -316,7 +399,12 @@ let scene ?max_side number =
   and* ambient = frequency [ (3, pure Color.black); (1, color number) ]
   and* ray_depth = 0 -- 6
   and* lights = list_size (0 -- 4) (light number)
-  and* objects = list_size (0 -- 6) (object_ number) in
+  and* objects = list_size (0 -- 6) (object_ number)
+  and* sky = sky number
+  and* has_sky = frequency [ (4, pure false); (1, pure true) ] in
+  let scene =
+    Scene.make ~lens ~film ~background ~ambient ~ray_depth ~lights ~objects
+      camera
+  in
   pure
-    (Scene.make ~lens ~film ~background ~ambient ~ray_depth ~lights ~objects
-       camera)
+    (if has_sky then Scene.with_sky (Background.varying sky) scene else scene)

@@ -39,6 +39,7 @@ let ray_near e =
 
 let color = Alcotest.testable pp_exact_color Color.equal
 let color_near e = Alcotest.testable pp_exact_color (is_near_color e)
+let background = Alcotest.testable Background.pp Background.equal
 let surface = Alcotest.testable Surface.pp Surface.equal
 
 let pp_lobes ppf { Lobes.emission; albedo; mirror; highlights; refractions } =

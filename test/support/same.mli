@@ -19,6 +19,10 @@ val ray_near : float -> Ray.t Alcotest.testable
 
 val color : Color.t Alcotest.testable
 val color_near : float -> Color.t Alcotest.testable
+
+val background : Background.t Alcotest.testable
+(** [background] compares backgrounds by {!Background.equal}. *)
+
 val surface : Surface.t Alcotest.testable
 val lobes : Lobes.t Alcotest.testable
 

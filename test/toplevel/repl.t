@@ -85,7 +85,7 @@ So do all others.
        1 | imWidth 5 sphere 0 0 2 1 difuse white
          |                          ^^^^^^
    expected a surface: diffusive, reflective, luminous, glossy, refractive,
-   glass or mixed. Did you mean 'diffusive'?
+   glass, mixed, checker or varying. Did you mean 'diffusive'?
 
 A pixel is explained as "raylab explain" does it, by the rendering itself.
 
@@ -231,7 +231,7 @@ the scene as it was.
       1 | imWidth 5 sphere 0 0 2 1 difuse white
         |                          ^^^^^^
   expected a surface: diffusive, reflective, luminous, glossy, refractive,
-  glass or mixed. Did you mean 'diffusive'?
+  glass, mixed, checker or varying. Did you mean 'diffusive'?
   - : unit = ()
   - : Camera.t = 5 x 5 pixels through a canvas of 4 x 4 from (0, 0, -4)
   $ say 'load "missing.scene";; (scene ()).camera' 2>&1
@@ -435,7 +435,7 @@ error.
       1 | imWidth 5 sphere 0 0 2 1 difuse white
         |                          ^^^^^^
   expected a surface: diffusive, reflective, luminous, glossy, refractive,
-  glass or mixed. Did you mean 'diffusive'?
+  glass, mixed, checker or varying. Did you mean 'diffusive'?
   [1]
   $ raylab repl - script.ml < three.scene
   3
@@ -467,7 +467,7 @@ A scene in error is reported, and the scene is empty.
       1 | imWidth 5 sphere 0 0 2 1 difuse white
         |                          ^^^^^^
   expected a surface: diffusive, reflective, luminous, glossy, refractive,
-  glass or mixed. Did you mean 'diffusive'?
+  glass, mixed, checker or varying. Did you mean 'diffusive'?
   - : Scene.t =
   scene of 640 x 480 pixels, canvas 4 x 3, depth 4
   background rgb 0 0 0, ray depth 4

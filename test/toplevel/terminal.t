@@ -127,7 +127,7 @@ was typed the last time.
       5 | sphere 0 0 2  1      difuse white
         |                      ^^^^^^
   expected a surface: diffusive, reflective, luminous, glossy, refractive,
-  glass or mixed. Did you mean 'diffusive'?
+  glass, mixed, checker or varying. Did you mean 'diffusive'?
   help () lists what raylab knows; Ctrl-D leaves.
   raylab #
   $ tmux send-keys Up Up Enter

@@ -10,8 +10,8 @@ let written text =
   in
   let sources = Raylab_source.Sources.make ~name:"a.scene" scene in
   match Scene_file.parse sources with
-  | Ok { background; _ } -> background
-  | Error _ -> Alcotest.failf "%s is no colour" text
+  | Ok { background = Plain color; _ } -> color
+  | Ok _ | Error _ -> Alcotest.failf "%s is no colour" text
 
 let check text color =
   Alcotest.check Test_support.Same.color text (written text) color

@@ -49,7 +49,7 @@ let grey_stays_grey =
 (* What a warning says is so: such a light adds nothing to any pixel. *)
 let kept_in_gives_nothing =
   let with_lights lights { Scene.camera; background; ray_depth; objects; _ } =
-    Scene.make camera ~background ~ray_depth ~lights ~objects
+    Scene.make camera ~ray_depth ~lights ~objects |> Scene.with_sky background
   in
   Property.holds "a light that is kept in gives nothing" ~count:2000 ~print
     (Generate.scene ~max_side:6 Generate.everyday) (fun scene ->
@@ -65,15 +65,29 @@ let surface_of (o : Object.t) part =
   | Solid s -> o.primitives.(Solid.member_of s ~part).surface
   | _ -> o.surface
 
-(* That of the first of the objects that are hit at the least distance. *)
+let own_point shape part ray t =
+  let raw = Raw_ray.create () and spot = Spot.create () in
+  let o = Ray.origin ray and d = (Ray.direction ray :> Vec3.t) in
+  Raw_ray.set_origin raw o.x o.y o.z;
+  Raw_ray.set_direction raw d.x d.y d.z;
+  raw.reach <- t;
+  Shape.settle shape ~part raw spot;
+  Spot.own spot
+
+(* That of the first of the objects that are hit at the least distance, with the
+   own point there. *)
 let nearest_surface (scene : Scene.t) ray =
   let usual = Offset.of_scale (Camera.scale scene.camera) in
   let nearer (best, limit) (o : Object.t) =
-    match Shape.nearest (Shape.with_tolerance usual o.shape) ray with
-    | Some (t, part) when t < limit -> (Some (surface_of o part), t)
+    let shape = Shape.with_tolerance usual o.shape in
+    match Shape.nearest shape ray with
+    | Some (t, part) when t < limit ->
+        (Some (surface_of o part, own_point shape part ray t), t)
     | _ -> (best, limit)
   in
   fst (List.fold_left nearer (None, infinity) scene.objects)
+
+let sky = Color.make 0.1 0.5 0.7
 
 (* What a refraction mirrors and lets through, where the ray hits it. *)
 let sent_on prepared ray { Lobes.index; plain; fresnel; glass } =
@@ -93,21 +107,20 @@ let lobes =
   Property.holds "one ray without light shows the lobes" ~count:500 ~print
     (Generate.scene ~max_side:1 Generate.everyday) (fun scene ->
       let scene =
-        Scene.make ~background:scene.background ~ray_depth:1
-          ~objects:scene.objects scene.camera
+        Scene.make ~background:sky ~ray_depth:1 ~objects:scene.objects
+          scene.camera
       in
       let ray = Camera.primary_ray scene.camera ~x:0 ~y:0 in
       let expected =
         match nearest_surface scene ray with
-        | None -> scene.background
-        | Some surface ->
+        | None -> sky
+        | Some (surface, at) ->
             let { Lobes.emission; mirror; refractions; _ } =
-              Surface.lobes surface
+              Surface.lobes ~at surface
             in
             List.map (sent_on (Prepared.make scene) ray) refractions
             |> List.fold_left Color.add mirror
-            |> Color.multiply scene.background
-            |> Color.add emission
+            |> Color.multiply sky |> Color.add emission
       in
       Alcotest.equal (Same.color_near 1e-9) expected
         (Tracer.color (Prepared.make scene) ray))

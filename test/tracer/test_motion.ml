@@ -27,8 +27,11 @@ let moved_camera motion (camera : Camera.t) =
        (point eye))
     camera
 
+(* That of all directions is not moved. *)
+let sky = Color.make 0.2 0.4 0.6
+
 let moved motion (scene : Scene.t) =
-  Scene.make ~lens:scene.lens ~film:scene.film ~background:scene.background
+  Scene.make ~lens:scene.lens ~film:scene.film ~background:sky
     ~ambient:scene.ambient ~ray_depth:scene.ray_depth
     ~lights:(List.map (Light.transformed motion) scene.lights)
     ~objects:(List.map (Object.transformed motion) scene.objects)
@@ -45,7 +48,7 @@ let same =
     (fun (scene, motion) ->
       (* no exposure that makes rounding errors seen *)
       let film = Film.make ~samples:scene.film.samples () in
-      let scene = Scene.with_film film scene in
+      let scene = Scene.with_film film scene |> Scene.with_background sky in
       let a = Prepared.make scene and b = Prepared.make (moved motion scene) in
       List.for_all
         (fun (x, y) -> near (Tracer.pixel a ~x ~y) (Tracer.pixel b ~x ~y))

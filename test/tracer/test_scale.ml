@@ -10,7 +10,7 @@ let scale_shape k = Shape.transformed Change.(of_modifiers [ Scaled k ])
 
 let scale_object k (o : Object.t) =
   match o.primitives with
-  | [||] when not o.is_shadowless ->
+  | [||] when not (o.is_shadowless || Surface.varies o.surface) ->
       Object.make (scale_shape k o.shape) o.surface
   | _ -> Object.transformed Change.(of_modifiers [ Scaled k ]) o
 
@@ -38,11 +38,11 @@ let scale_camera k (camera : Camera.t) =
       |> Camera.with_viewpoint viewpoint
 
 let scale k (scene : Scene.t) =
-  Scene.make ~film:scene.film ~background:scene.background
-    ~ambient:scene.ambient ~ray_depth:scene.ray_depth
+  Scene.make ~film:scene.film ~ambient:scene.ambient ~ray_depth:scene.ray_depth
     ~lights:(List.map (scale_light k) scene.lights)
     ~objects:(List.map (scale_object k) scene.objects)
     (scale_camera k scene.camera)
+  |> Scene.with_sky scene.background
 
 (* Rounding differs, so a level may. *)
 let same_picture a b =

@@ -3,6 +3,7 @@
    function that the tracer computes with. *)
 
 open Raylab_geometry
+open Raylab_expression
 open Raylab_scene
 open Raylab_tracer
 open Test_support
@@ -539,9 +540,89 @@ let times k l =
     refractions = List.map of_refraction l.refractions;
   }
 
-let rec denotes (surface : Surface.t) =
+(* The point in own coordinates. *)
+let rec own (shape : Shape.t) p =
+  match shape with
+  | Placed { own = shape; modifiers; _ } ->
+      own shape (undone undo_point modifiers p)
+  | _ -> p
+
+(* What an expression is; [names] has the values of all names. Of those that
+   are made here. *)
+type value =
+  | Is_number of float
+  | Is_vector of Vec3.t
+  | Is_function of Expression.parameter list * Expression.t
+
+let rec value names (e : Expression.t) =
+  let number e =
+    match value names e with Is_number x -> x | _ -> invalid_arg "no number"
+  in
+  match e.desc with
+  | Number x -> Is_number x
+  | Name name -> List.assoc name names
+  | Triple (x, y, z) | List [ x; y; z ] ->
+      Is_vector (Vec3.make (number x) (number y) (number z))
+  | Part (e, letter) -> (
+      match (value names e, letter) with
+      | Is_vector v, 'x' -> Is_number v.x
+      | Is_vector v, 'y' -> Is_number v.y
+      | Is_vector v, _ -> Is_number v.z
+      | _ -> invalid_arg "no vector")
+  | Binary (Add, a, b) -> Is_number (number a +. number b)
+  | If ({ desc = Binary (Greater, a, b); _ }, yes, no) ->
+      value names (if number a > number b then yes else no)
+  | Call { name; arguments = [ { value = argument; _ } ]; _ } -> (
+      match List.assoc name names with
+      | Is_function ([ { name; _ } ], body) ->
+          value ((name, value names argument) :: names) body
+      | _ -> invalid_arg "no function")
+  | _ -> invalid_arg "not made here"
+
+let names_at { Closed.name; definitions; _ } q =
+  let define (name, definition) =
+    match (definition : _ Closed.definition) with
+    | Value (Number x) -> (name, Is_number x)
+    | Defined { parameters; body } -> (name, Is_function (parameters, body))
+    | Value _ -> invalid_arg "not made here"
+  in
+  (name, Is_vector q) :: List.map define definitions
+
+let color_of names e =
+  match value names e with
+  | Is_vector { x; y; z } -> Color.make x y z
+  | _ -> invalid_arg "no colour"
+
+let number_of names e =
+  match value names e with Is_number x -> x | _ -> invalid_arg "no number"
+
+(* The surface that a word is with what its names are. *)
+let rec made names (e : Expression.t) =
+  match e.desc with
+  | Word { word = "diffusive"; arguments = [ (_, c) ] } ->
+      Surface.diffusive (color_of names c)
+  | Word { word = "luminous"; arguments = [ (_, c) ] } ->
+      Surface.luminous (color_of names c)
+  | Word { word = "reflective"; _ } -> Surface.reflective
+  | Word { word = "mixed"; arguments = [ (_, w); (_, s); (_, w'); (_, s') ] }
+    ->
+      let part w s = (number_of names w, made names s) in
+      Surface.mixed [ part w s; part w' s' ]
+  | Word { word = "checker"; arguments = [ (_, size); (_, s); (_, s') ] } ->
+      Surface.checker (number_of names size) (made names s) (made names s')
+  | _ -> invalid_arg "not made here"
+
+let sky (scene : Scene.t) d =
+  match scene.background with
+  | Plain c -> c
+  | Varying { pattern; _ } -> color_of (names_at pattern d) pattern.body
+
+(* At the own point q. *)
+let rec denotes (surface : Surface.t) (q : Vec3.t) =
   let black = Color.black in
   match surface with
+  | Varying { pattern; _ } ->
+      denotes (made (names_at pattern q) pattern.body) q
   | Diffusive c -> { nothing with a = c }
   | Reflective -> { nothing with m = Color.white }
   | Luminous c -> { nothing with e = c }
@@ -554,8 +635,13 @@ let rec denotes (surface : Surface.t) =
       let r = { index; plain = black; fresnel = Color.white; glass = color } in
       { nothing with refractions = [ r ] }
   | Mixed { parts; _ } ->
-      let add l (k, part) = plus l (times k (denotes part)) in
+      let add l (k, part) = plus l (times k (denotes part q)) in
       List.fold_left add nothing parts
+  | Checker { size; even; odd; _ } ->
+      (* a little that no picture shows decides between two cubes *)
+      let cube x = floor ((x /. size) +. 0x1p-30) in
+      let sum = cube q.x +. cube q.y +. cube q.z in
+      denotes (if Float.rem sum 2. = 0. then even else odd) q
 
 (* eta, c and c', the cosines before and after; none if the ray is totally
    reflected. *)
@@ -616,7 +702,7 @@ let shadow_ray { place; travels; _ } a e =
   | Some s -> { o = a; d = unit (s - a); rho = length (s - a) -. e; seed = 0. }
 
 (* What a surface lets through of light that comes along d. *)
-let lets_through surface d n =
+let lets_through surface q d n =
   let add sum r =
     let f =
       match snell r.index d n ~is_outside:true with
@@ -625,7 +711,7 @@ let lets_through surface d n =
     in
     sum ++ r.plain ++ Color.scale (1. -. f) r.glass
   in
-  List.fold_left add Color.black (denotes surface).refractions
+  List.fold_left add Color.black (denotes surface q).refractions
 
 (* The normal for shading on the side from which d comes, or that of the surface
    where it faces away from there. *)
@@ -644,7 +730,7 @@ let rec visible scene objects ray =
       let s = shaded shape sign p ray.d ~n ~outward in
       let e = offset scene (size shape) p ray in
       let behind = { ray with o = p - (e * n); rho = ray.rho -. t } in
-      let part = lets_through surface ray.d s in
+      let part = lets_through surface (own shape p) ray.d s in
       if Color.largest part = 0. then Color.black
       else Color.multiply part (visible scene objects behind)
 
@@ -696,13 +782,14 @@ let shared share weights =
 let rec trace ?(share = 1.) (scene : Scene.t) left ray =
   let is_followed = left > 0 && share >= 1. /. 1024. in
   match if is_followed then nearest scene ray else None with
-  | None -> scene.background
+  | None -> sky scene ray.d
   | Some { t; shape; surface; sign } ->
       let p = at ray t in
       let outward = sign * outward shape p in
       let n = facing ray outward and e = offset scene (size shape) p ray in
       let s = shaded shape sign p ray.d ~n ~outward in
-      let is_outside = dot ray.d outward <= 0. and lobes = denotes surface in
+      let is_outside = dot ray.d outward <= 0.
+      and lobes = denotes surface (own shape p) in
       let sent = sent_on lobes p ray (n, s) e ~is_outside in
       let shares =
         shared share (List.map (fun (w, _) -> Color.largest w) sent)
