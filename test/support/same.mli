@@ -19,6 +19,10 @@ val ray_near : float -> Ray.t Alcotest.testable
 
 val color : Color.t Alcotest.testable
 val color_near : float -> Color.t Alcotest.testable
+
+val color_about : float -> Color.t Alcotest.testable
+(** [color_about e] allows an error of [e] of 1 and of each channel. *)
+
 val surface : Surface.t Alcotest.testable
 val lobes : Lobes.t Alcotest.testable
 
