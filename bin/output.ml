@@ -6,11 +6,12 @@ let beside ?(format = Picture_file.Bmp) scene =
   Scene_file.without_extension scene ^ Picture_file.extension format
 
 let protect path reading =
-  let is_it { Raylab_source.Sources.path = file; _ } =
-    Command.is_same_file path file
+  let { Scene_file.sources; named; _ } = reading in
+  let path_of { Raylab_source.Sources.path; _ } = path in
+  let files =
+    List.map path_of (Raylab_source.Sources.files sources) @ List.map snd named
   in
-  let files = Raylab_source.Sources.files reading.Scene_file.sources in
-  if path <> "-" && List.exists is_it files then
+  if path <> "-" && List.exists (Command.is_same_file path) files then
     Command.usage_error
       "%s is a file of the scene; the picture would replace it" path
 

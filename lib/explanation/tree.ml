@@ -125,7 +125,7 @@ let print_here ppf indent { Explain.hit; surface = here; _ } surface =
 let print_hit ppf indent e (h : Explain.surface_hit) =
   let { Explain.hit; object_; primitive; place; lobes; _ } = h in
   let { Object.shape; surface; _ } = Object.primitive object_ hit.primitive in
-  line ppf indent "hits %s@ at t = %a,@ point %a,@ normal %a"
+  line ppf indent "hits %a@ at t = %a,@ point %a,@ normal %a" text
     (Naming.by_number ?primitive hit.number object_ place
     |> Naming.with_part shape hit.part)
     Number.pp hit.t Vec3.pp hit.point Hit.pp_normal hit;

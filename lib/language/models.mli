@@ -20,7 +20,7 @@ val find :
 (** [find models ~at ~name bytes found] is the mesh in the file [found], and
     the path by which that was read. It is called [name] where it is used, at
     the offset [at]. If it has not been read yet, [bytes ()] is what it holds.
-    All together have at most {!Mesh_file.most_triangles}. *)
+    All together have at most {!Raylab_mesh_file.Mesh_file.most_triangles}. *)
 
 val meshes : t -> Raylab_geometry.Mesh.t list
 (** [meshes models] is all of them, none smooth, in the order in which they

@@ -1,4 +1,5 @@
-(** Lights, as data. What they give to a point is told by {!Incidence}. *)
+(** Lights, as data. What they give to a point is told by
+    {!Raylab_scene.Incidence}. *)
 
 open Raylab_geometry
 

@@ -77,9 +77,9 @@ let source_name = function
 
 let pp_bend ppf = function
   | Refraction { cosine = 0.; _ } ->
-      Format.pp_print_string ppf " (totally reflected)"
+      Format.pp_print_string ppf " [totally reflected]"
   | Refraction { index; share; _ } ->
-      Format.fprintf ppf " (index %a, Fresnel's share %a)" Number.pp index
+      Format.fprintf ppf " [index %a, Fresnel's share %a]" Number.pp index
         Number.pp share
   | Background | Emitted | Diffused _ | Shine _ | Mirror _ -> ()
 

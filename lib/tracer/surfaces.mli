@@ -10,7 +10,7 @@ type t = private {
       (** where the row of each object's surface starts; or, less than 0,
           {!varies} if that is to be asked at each point, {!of_primitives} if
           each primitive has its own, and otherwise one that {!is_patterned} or
-          {!rich} *)
+          {!val-rich} *)
   primitive_rows : int array array;
       (** the same for the primitives of each object, if any has some *)
   rich : Raw_lobes.t array;

@@ -118,3 +118,11 @@ The name of a file controls no terminal.
   [1]
   $ raylab check --expand house/main.scene > house/expanded.scene && raylab check house/expanded.scene
   house/expanded.scene: mesh r�[31m.obj: 1 triangle from (-1, 0, 4) to (1, 1.5, 4), open: face 1 (line 4 of r�[31m.obj) has an edge from (-1, 0, 4) to (0, 1.5, 4) that no other face has; most of its normals point along (0, 0, -1)
+
+No picture replaces a mesh of the scene.
+
+  $ (cat scene; echo 'mesh "roof.obj" diffusive red') > house/main.scene
+  $ ln house/roof.obj house/roof.png
+  $ raylab render house/main.scene -o house/roof.png
+  raylab: house/roof.png is a file of the scene; the picture would replace it
+  [124]

@@ -478,6 +478,10 @@ Help and version go to standard output. A version is no place-holder.
          Reads each SCENE and prints every error and warning to standard error.
          Renders nothing. Warnings do not change the exit status.
   
+         Of each mesh it prints to standard output how many triangles it has,
+         from where to where it goes, whether it is closed, or else where it is
+         open, and which way its normals point.
+  
   ARGUMENTS
          SCENE (required)
              The scene files, or - for standard input.
@@ -513,7 +517,8 @@ Help and version go to standard output. A version is no place-holder.
          { "version": 1, "scenes": [SCENE, ...] }
          
          SCENE   = { "scene": STRING,              its path, as it was given
-                     "problems": [PROBLEM, ...] }  in the order of the text
+                     "problems": [PROBLEM, ...],   in the order of the text
+                     "meshes": [MESH, ...] }       if it has some
          
          PROBLEM = { "severity": "error" or "warning",
                      "file": STRING,               the path of the scene, or of a file
@@ -523,6 +528,15 @@ Help and version go to standard output. A version is no place-holder.
                        or null,                    line, counted from 1
                      "message": STRING,            what is wrong, in one line
                      "remedy": STRING }            what to do; "" if there is no advice
+         
+         MESH    = { "file": STRING,               as explanations call it
+                     "triangles": INT,
+                     "low": VECTOR,                the corners of the box around it,
+                     "high": VECTOR,               each [x, y, z]
+                     "open": STRING or null,       where it is open; null: closed
+                     "normals": "outward", "inward", "anyhow", or a VECTOR, along
+                                                   which they point; of what is open
+                                                   most of them }
   
          New members may be added; a change that breaks readers gets a new
          version.

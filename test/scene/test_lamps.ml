@@ -142,7 +142,7 @@ let mean_of_points =
       in
       let points = List.init (count * count) gives in
       let sum = List.fold_left Color.add Color.black points in
-      Alcotest.equal (Same.color_near 1e-12)
+      Alcotest.equal (Same.color_about 1e-12)
         (Color.scale (1. /. float_of_int (count * count)) sum)
         (received ~seed (Light.area ~intensity:3. ~color pane) ~point))
 
@@ -159,7 +159,7 @@ let point_like =
         received (Light.spherical ~intensity:3. ~color ~position:corner) ~point
       in
       if count = 1 then Color.equal area point_light
-      else Alcotest.equal (Same.color_near 1e-9) area point_light)
+      else Alcotest.equal (Same.color_about 1e-9) area point_light)
 
 let test_no_pane () =
   let make ?(corner = v 0. 2. 0.) ?(edge = v 1. 0. 0.) count () =
@@ -199,7 +199,7 @@ let moved =
         let position = Vec3.scale k (along :> Vec3.t) in
         Light.unfading (Light.spherical ~intensity:2. ~color ~position)
       in
-      Alcotest.equal (Same.color_near 1e-12)
+      Alcotest.equal (Same.color_about 1e-12)
         (received (at 1.) ~point:Vec3.zero)
         (received (at k) ~point:Vec3.zero))
 

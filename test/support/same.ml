@@ -38,6 +38,12 @@ let ray_near e =
   Alcotest.testable Ray.pp equal
 
 let color = Alcotest.testable pp_exact_color Color.equal
+
+let color_about e =
+  let near x y = x = y || abs_float (x -. y) <= e *. (1. +. abs_float x) in
+  Alcotest.testable pp_exact_color (fun a b ->
+      near a.r b.r && near a.g b.g && near a.b b.b)
+
 let color_near e = Alcotest.testable pp_exact_color (is_near_color e)
 let background = Alcotest.testable Background.pp Background.equal
 let surface = Alcotest.testable Surface.pp Surface.equal

@@ -23,6 +23,9 @@ val color_near : float -> Color.t Alcotest.testable
 val background : Background.t Alcotest.testable
 (** [background] compares backgrounds by {!Background.equal}. *)
 
+val color_about : float -> Color.t Alcotest.testable
+(** [color_about e] allows an error of [e] of 1 and of each channel. *)
+
 val surface : Surface.t Alcotest.testable
 val lobes : Lobes.t Alcotest.testable
 

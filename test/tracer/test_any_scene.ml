@@ -91,9 +91,10 @@ let sky = Color.make 0.1 0.5 0.7
 
 (* What a refraction mirrors and lets through, where the ray hits it. *)
 let sent_on prepared ray { Lobes.index; plain; fresnel; glass } =
-  let { Hit.point; normal; outside; _ } =
+  let { Hit.point; normal; shading; outside; _ } =
     Option.get (Tracer.nearest_hit prepared ray)
   and refraction = Refraction.create () in
+  let normal = Option.value shading ~default:normal in
   let spot = Spot.of_point ~point ~normal ~offset:0. in
   spot.side <- (if outside then 1. else -1.);
   Refraction.meet refraction spot (Ray.to_raw ray) ~index;

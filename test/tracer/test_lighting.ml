@@ -107,17 +107,15 @@ let sums =
         Scene.make ~ray_depth:1 ~lights ~objects:scene.objects scene.camera
         |> Prepared.make
       in
-      let color lights ray = Tracer.color (with_lights lights) ray in
+      let dark = with_lights [] and all = with_lights scene.lights in
+      let alone = List.map (fun l -> with_lights [ l ]) scene.lights in
       let is_sum ray =
-        let dark = color [] ray in
-        let difference (a : Color.t) (b : Color.t) =
-          rgb (a.r -. b.r) (a.g -. b.g) (a.b -. b.b)
-        in
-        let alone light = difference (color [ light ] ray) dark in
-        let sum =
-          List.fold_left Color.add dark (List.map alone scene.lights)
-        in
-        Alcotest.equal (Same.color_near 1e-6) sum (color scene.lights ray)
+        let color scene = Tracer.color scene ray in
+        (* each brings the dark scene once more *)
+        let sum = List.fold_left Color.add Color.black in
+        Alcotest.equal (Same.color_about 1e-9)
+          (sum (color dark :: List.map color alone))
+          (sum (color all :: List.map (fun _ -> color dark) alone))
       in
       Seq.for_all is_sum (Camera.primary_rays scene.camera))
 

@@ -79,7 +79,7 @@ let lambert =
   Property.holds "looked at straight, sharpness 1 is a matt surface" ~count:300
     QCheck2.Gen.(list_size (0 -- 3) (Generate.light Generate.everyday))
     (fun lights ->
-      Alcotest.equal (Same.color_near 1e-9)
+      Alcotest.equal (Same.color_about 1e-9)
         (seen lights [ wall (Surface.diffusive (rgb 0.5 1. 0.25)) ])
         (seen lights [ wall (glossy 1.) ]))
 
