@@ -5,6 +5,7 @@ type t = {
   facets : Facets.t;
   is_smooth : bool;
   box : Box3.t;
+  middle : Vec3.t; (* the mean of all corners *)
   open_edge : Mesh_edges.edge option;
   spheres : Bvh_walk.spheres; (* the tree, and no spheres *)
 }
@@ -56,6 +57,11 @@ let box_of leaves =
   in
   Box3.make ~low:(corner Float.min 0) ~high:(corner Float.max 1)
 
+let middle_of (facets : Facets.t) =
+  let add sum corner = Vec3.add sum (Mesh_edges.point facets corner) in
+  let sum = Array.fold_left add Vec3.zero facets.corners in
+  Vec3.scale (1. /. float_of_int (Array.length facets.corners)) sum
+
 let require (facets : Facets.t) =
   let count = Facets.count facets in
   let are_among numbers ~least indexes =
@@ -80,6 +86,7 @@ let make ?(domains = 1) ~name:file (facets : Facets.t) =
     facets;
     is_smooth = false;
     box;
+    middle = middle_of facets;
     open_edge = Mesh_edges.open_edge facets ~places:(Mesh_edges.places facets);
     spheres = { tree; numbers = Bvh_leaves.numbers leaves; rows = [||] };
   }
@@ -321,9 +328,13 @@ let some_points mesh =
     (((count - 1) / step) + 1)
     (fun k -> point mesh mesh.facets.corners.(k * step))
 
-let place { box = { low; high }; facets; _ } =
+let place { box = { low; high }; middle; facets; _ } =
   let triangles = float_of_int (Facets.count facets) in
-  [| low.x; low.y; low.z; high.x; high.y; high.z; triangles |]
+  [|
+    low.x; low.y; low.z; high.x; high.y; high.z; middle.x; middle.y; middle.z;
+    triangles;
+  |]
+[@@ocamlformat "disable"]
 
 let equal a b =
   a == b

@@ -13,7 +13,7 @@ type t = {
   mutable triangles : int;
   mutable in_bytes : bool; (* whether places are bytes *)
   mutable has_normals : bool;
-  mutable unused : (string * Fault.place) list;
+  mutable notes : (string * Fault.place) list; (* the last one first *)
 }
 
 let create ~most ~counted_from =
@@ -29,7 +29,7 @@ let create ~most ~counted_from =
     triangles = 0;
     in_bytes = false;
     has_normals = false;
-    unused = [];
+    notes = [];
   }
 
 let points mesh = Floats.length mesh.points / 3
@@ -81,9 +81,11 @@ let place mesh face : Fault.place =
 
 (* {1 The end} *)
 
-let unused mesh place what =
-  if not (List.mem_assoc what mesh.unused) then
-    mesh.unused <- (what, place) :: mesh.unused
+let note mesh place message =
+  if not (List.mem_assoc message mesh.notes) then
+    mesh.notes <- (message, place) :: mesh.notes
+
+let unused mesh place what = note mesh place (what ^ " are not used")
 
 let check mesh place what index count =
   if index < 0 || index >= count then
@@ -94,7 +96,8 @@ let check mesh place what index count =
 (* Some programs write faces with normals and leave out the normals. *)
 let check_normal mesh place normal =
   if normal <> -1 then
-    if normals mesh = 0 then unused mesh place "missing normals"
+    if normals mesh = 0 then
+      note mesh place "faces have normals that are not in the file"
     else check mesh place "normal" normal (normals mesh)
 
 let check_face mesh face start stop =
@@ -162,10 +165,8 @@ let cut_face mesh cut face =
       (stop - start) Polygon.max_concave
 
 let warnings mesh cut : Fault.t list =
-  let unused (what, place) : Fault.t =
-    { place; message = what ^ " are not used" }
-  in
-  List.rev_map unused mesh.unused
+  let warning (message, place) : Fault.t = { place; message } in
+  List.rev_map warning mesh.notes
   @
   if cut.flat = 0 then []
   else
@@ -181,11 +182,8 @@ let warnings mesh cut : Fault.t list =
     [ { place = place mesh cut.first_flat; message } ]
 
 let no_face mesh =
-  match List.rev_map fst mesh.unused with
-  | [] -> Fault.fail Whole "there is no face"
-  | what ->
-      Fault.fail Whole "there is no face; %s are not used"
-        (String.concat ", " what)
+  let notes = List.rev_map fst mesh.notes in
+  Fault.fail Whole "%s" (String.concat "; " ("there is no face" :: notes))
 
 let finish mesh =
   if faces mesh = 0 then no_face mesh;

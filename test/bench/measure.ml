@@ -30,7 +30,8 @@ let peak_memory () =
   with Sys_error _ -> None
 
 let measured ~domains path () =
-  let loaded, load = Child.timed (fun () -> Scene_file.load path) in
+  let access = Raylab_disk.Disk.access in
+  let loaded, load = Child.timed (fun () -> Scene_file.load ~access path) in
   match loaded with
   | Error _ -> failwith (path ^ " is not a scene")
   | Ok scene ->

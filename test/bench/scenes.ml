@@ -133,6 +133,34 @@ let sphereflake () =
         (Camera.make ~width ~height ~canvas_width ~canvas_height ~depth)
         scene
 
+(* {1 Meshes} *)
+
+let mesh_name name = name ^ ".obj"
+
+let mesh_scene name triangles () =
+  let mesh = Ruffle.mesh ~name:(mesh_name name) ~triangles in
+  let ring =
+    Object.make (Mesh mesh) (Surface.diffusive (Color.make 0.9 0.5 0.3))
+  in
+  Scene.make camera ~ray_depth:5 ~background:(Color.make 0.35 0.5 0.75)
+    ~lights:[ sun; bulb (Vec3.make (-3.) 5. 0.) ]
+    ~objects:[ floor; ring ]
+
+let mesh (name, title, triangles) =
+  {
+    name;
+    title;
+    spheres = triangles;
+    random = false;
+    scene = mesh_scene name triangles;
+  }
+
+let meshes { Scene.objects; _ } =
+  List.filter_map
+    (fun (o : Object.t) ->
+      match o.shape with Mesh mesh -> Some mesh | _ -> None)
+    objects
+
 (* {1 All} *)
 
 let million = "1000000"
@@ -163,5 +191,11 @@ let all =
         scene = mirror_room;
       };
     ]
+  @ List.map mesh
+      [
+        ("mesh-1000", "mesh, 1,000 triangles", 1_000);
+        ("mesh-100000", "mesh, 100,000 triangles", 100_000);
+        ("mesh-1000000", "mesh, 1,000,000 triangles", 1_000_000);
+      ]
 
 let find name = List.find_opt (fun scene -> scene.name = name) all

@@ -1,3 +1,4 @@
+open Raylab_geometry
 open Raylab_language
 
 type t = {
@@ -30,6 +31,12 @@ let write_files ~dir ~povray (scene : Scenes.t) =
   Child.compute (fun () ->
       let made = scene.scene () in
       write scene_path (print_scene made);
+      List.iter
+        (fun mesh ->
+          write
+            (Filename.concat dir (Mesh.file mesh))
+            (fun channel -> Ruffle.write channel mesh))
+        (Scenes.meshes made);
       if povray then write povray_path (fun c -> Povray.write c made);
       (scene_path, povray_path))
 
@@ -81,12 +88,16 @@ let file_size path =
   In_channel.with_open_bin path (fun channel ->
       Int64.to_int (In_channel.length channel))
 
+let size_if_any path = if Sys.file_exists path then file_size path else 0
+
 let perform plan ~dir ~say (scene : Scenes.t) =
   let say what = say (Printf.sprintf "%s: %s" scene.title what) in
   say "writing files";
   let* scene_path, povray_path = write_files ~dir ~povray:plan.povray scene in
+  let mesh_path = Filename.concat dir (Scenes.mesh_name scene.name) in
   Fun.protect
-    ~finally:(fun () -> List.iter remove [ scene_path; povray_path ])
+    ~finally:(fun () ->
+      List.iter remove [ scene_path; povray_path; mesh_path ])
     (fun () ->
       let* rounds = times plan.runs (round plan ~say scene_path povray_path) in
       let all part = List.concat_map part rounds in
@@ -98,7 +109,7 @@ let perform plan ~dir ~say (scene : Scenes.t) =
         Ok
           {
             scene;
-            file_size = file_size scene_path;
+            file_size = file_size scene_path + size_if_any mesh_path;
             one;
             many;
             povray_one = all (fun (_, _, runs, _) -> runs);

@@ -41,7 +41,7 @@ All that is there works from there: links, scenes, and the commands of the page.
   >   { grep -o '](\([^)]*\))' "$page" | tr -d ']()'; sed -n 's/^\[.*\]: //p' "$page"; } |
   >     sed 's/#.*//; /^$/d' | (cd "${page%/*}" && xargs -r ls -d) > /dev/null
   > done
-  $ raylab check scenes/*.scene
+  $ raylab check scenes/*.scene > /dev/null
   $ "$console" doc/language.md doc/language | diff doc/language.md -
   $ cd "$OLDPWD"
 

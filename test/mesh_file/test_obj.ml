@@ -41,7 +41,7 @@ let test_warnings () =
       "line 6: colours of points are not used";
       "line 7: lines are not used";
       "line 8: lines that begin with 'hello' are not used";
-      "line 10: missing normals are not used";
+      "line 10: faces have normals that are not in the file";
       "line 11: here is the first of 2 triangles that have two corners in one \
        place and are left out";
     ]

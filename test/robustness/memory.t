@@ -24,6 +24,25 @@ Bands are joined piece by piece: these have 30 MB each.
   > done
   $ rm sky.bmp sky.png *.ppm
 
+A mesh is in memory once, however often it is placed: a forest of 100 million
+triangles takes little more than one of its trees.
+
+  $ awk 'BEGIN { for (k = 0; k < 10000; k++) { a = k * 0.7; h = k / 4000;
+  >   for (n = 0; n < 3; n++)
+  >     printf "v %.4f %.4f %.4f\n", cos(a) * (3 - h) / 4 + n % 2 / 20, h + n / 20, sin(a) * (3 - h) / 4;
+  >   printf "f -1 -2 -3\n" } }' > tree.obj
+  $ (sed 's/imWidth 2/imWidth 20/; s/imHeight 2/imHeight 20/' sky.scene
+  >   cat <<EOF
+  > let tree = mesh "tree.obj" smooth diffusive 0.2 0.5 0.2
+  > for i = 1 to 100 for j = 1 to 100 tree translated (2 * i - 100) -1 (2 * j) end end
+  > EOF
+  > ) > forest.scene
+  $ raylab render forest.scene -j 1 -q -o forest.ppm & pid=$!
+  $ peak=0; while now=$(awk '/VmHWM/ { print $2 }' /proc/$pid/status 2> /dev/null)
+  >   test -n "$now"; do peak=$now; sleep 0.02; done; wait $pid
+  $ test $peak -gt 12000 && test $peak -lt 64000 || echo "$peak kB"
+  $ rm tree.obj forest.*
+
 What does not fit ends with one line. No file is there, new or half.
 
   $ (ulimit -v 1500000; raylab render sky.scene -q -j 2 --size 30000x30000)
