@@ -734,15 +734,23 @@ let rec visible scene objects ray =
       if Color.largest part = 0. then Color.black
       else Color.multiply part (visible scene objects behind)
 
+let by_glass (o : Object.t) =
+  if Glasses.lets_through o then Either.Right o else Left o
+
 let light scene p (n, s) e seed instead =
   let casting = List.filter (fun (o : Object.t) -> not o.is_shadowless) in
   let objects = casting scene.Scene.objects in
   let gives light =
     let lamps = lamps seed light in
+    (* what lets nothing through blocks, even where glass coincides with it *)
+    let opaque, clear = List.partition_map by_glass objects in
     let gives lamp =
-      Color.multiply
-        (visible scene objects (shadow_ray lamp (p + (e * n)) e))
-        (received light lamp p (n, s) instead)
+      let ray = shadow_ray lamp (p + (e * n)) e in
+      let visible =
+        if hits scene opaque ray <> [] then Color.black
+        else visible scene clear ray
+      in
+      Color.multiply visible (received light lamp p (n, s) instead)
     in
     Color.scale
       (1. /. float_of_int (List.length lamps))
