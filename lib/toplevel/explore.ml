@@ -30,8 +30,8 @@ Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
 spot, area, sphere, plane, box, cylinder, cone, torus, disc, triangle, quad,
 mesh, diffusive, reflective, luminous, glossy, refractive, glass, mixed, tinted
 and checker, as in a scene file, and varying "p ..."; put together by union,
-intersection and difference; unfading is for lights; random, noise and turbulence
-are numbers:
+intersection and difference; unfading is for lights; random, noise and
+turbulence are numbers:
 
 use (Scene.make camera
        ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]

@@ -140,9 +140,10 @@ Words
   
   Scenes are built with vec, rgb, hsv, red ... white, directional, spherical,
   spot, area, sphere, plane, box, cylinder, cone, torus, disc, triangle, quad,
-  mesh, diffusive, reflective, luminous, glossy, refractive, glass, mixed and
-  tinted, as in a scene file; put together by union, intersection and difference;
-  unfading is for lights; random, noise and turbulence are its numbers:
+  mesh, diffusive, reflective, luminous, glossy, refractive, glass, mixed, tinted
+  and checker, as in a scene file, and varying "p ..."; put together by union,
+  intersection and difference; unfading is for lights; random, noise and
+  turbulence are numbers:
   
   use (Scene.make camera
          ~lights:[ directional 1. white (vec 1. (-1.) 1.) ]
