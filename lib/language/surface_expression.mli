@@ -3,5 +3,6 @@
 open Raylab_expression
 
 val make : Syntax.surface -> Expression.t option
-(** [make surface] is [surface], its words as {!Expression.Word}; [None] if it
-    is nested deeper than {!Raylab_scene.Surface.max_nesting}. *)
+(** [make surface] is [surface], its words as
+    {!Raylab_expression.Expression.Word}; [None] if it is nested deeper than
+    {!Raylab_scene.Surface.max_nesting}. *)

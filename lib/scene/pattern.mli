@@ -34,12 +34,13 @@ val value :
   'a
 (** [value machine point read] is what [read] makes of the value at [point].
 
-    Raises {!Failed} if it has none, or [read] raises {!Fault.Found}. *)
+    Raises {!Failed} if it has none, or [read] raises
+    {!Raylab_expression.Fault.Found}. *)
 
 (** {1 Reading values}
 
-    Each raises {!Fault.Found} where a value is not of its kind, or against its
-    rule; [e] is where it comes from. *)
+    Each raises {!Raylab_expression.Fault.Found} where a value is not of its
+    kind, or against its rule; [e] is where it comes from. *)
 
 val number :
   Number.rule ->
