@@ -23,13 +23,14 @@
   sphere 0 0 8 1 diffusive 1 0 0  # line 1 of ball.scene, in ball(r: 0.5), i = 1, line 3
   sphere 0 0 8 2 diffusive 1 0 0  # line 1 of ball.scene, in ball(r: 1), i = 2, line 3
 
-That reads back as the same scene, and so does that of every scene of the gallery.
+That reads back as the same scene, and so does that of every scene of the gallery,
+in its folder, where its meshes are.
 
   $ cp -RL ../../scenes .
   $ expand () { raylab check --expand "$@" 2> /dev/null | sed 's/  # .*//'; }
   $ for scene in tower.scene scenes/*.scene; do
   >   expand $scene > first
-  >   expand - < first > second
+  >   (cd $(dirname $scene) && expand -) < first > second
   >   cmp first second && [ -s first ] || echo $scene
   > done
   $ raylab render -q tower.scene -o a.ppm
